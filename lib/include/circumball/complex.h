@@ -1,0 +1,68 @@
+#ifndef CIRCUMBALL_COMPLEX_H_
+#define CIRCUMBALL_COMPLEX_H_
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "circumball/types.h"
+
+namespace circumball {
+
+/// A planar polygonal face of a 3D complex: loops of vertices, hole points, segments and isolated vertices inside.
+struct Face {
+  std::vector<std::vector<std::uint32_t>> loops;
+  std::vector<Point3> holes;
+  std::vector<std::uint32_t> segments;
+  std::vector<std::uint32_t> vertices;
+};
+
+/// A seed point that labels the part of the domain it lies in, and may bound the size of its cells.
+struct Region {
+  Point3 at;
+  double label = 0;
+  double max = 0;  ///< bound on area (2D) or volume (3D) of a cell; <= 0 means none
+};
+
+/// How a `closed` domain treats loops inside loops.
+enum class HoleRule : std::uint8_t {
+  kAuto,    ///< kSeeds if the complex lists holes or regions, else kParity
+  kSeeds,   ///< everything enclosed is inside, but for the parts that a hole seed lies in
+  kParity,  ///< nesting level: one loop deep is inside, two loops deep is a hole, three inside, …
+};
+
+/// The input: a piecewise linear complex (thesis, Definitions 2.1.3 and 2.1.4). Plain data; `check` says whether
+/// it is valid. Indices are 0-based.
+struct Complex {
+  int dimension = 2;
+  std::vector<Point3> vertices;
+  std::vector<std::array<std::uint32_t, 2>> segments;
+  std::vector<Face> faces;  ///< 3D only
+  std::vector<Point3> holes;
+  HoleRule hole_rule = HoleRule::kAuto;
+  std::vector<Region> regions;
+
+  /// Boundary markers: empty, or one for each vertex / segment / face.
+  std::vector<std::int32_t> vertex_markers, segment_markers, face_markers;
+  /// Attributes carried through: `attributes_per_vertex` numbers for each vertex.
+  int attributes_per_vertex = 0;
+  std::vector<double> vertex_attributes;
+};
+
+/// Everything that is wrong with a complex, and warnings; all of it, not the first. Empty for a valid complex.
+///
+/// Defects (2D): "not-finite", "magnitude" (outside 0 or 1e-45 … 1e55), "index-out-of-range", "zero-length-segment",
+/// "duplicate-vertices" (equal bits), "duplicate-segments" (warning; the second is ignored), "vertex-on-segment",
+/// "segments-cross", "segments-overlap", "too-few-vertices", "hole-outside" and "region-outside" (warnings),
+/// "near-duplicate-vertices" (warning: closer than 1e-9 of the diameter).
+/// Exact: crossing, containment and overlap are decided with exact predicates. O((n + k) log n) on ordinary input.
+/// At most `max_defects` of each name are listed; a last one then counts the rest.
+std::vector<Defect> check(const Complex& complex, std::size_t max_defects = 1000);
+
+/// Smallest angle in degrees between two input segments that share a vertex; 180 if there is none (2D).
+double smallest_angle_degrees(const Complex& complex);
+
+}  // namespace circumball
+
+#endif  // CIRCUMBALL_COMPLEX_H_
