@@ -1,0 +1,165 @@
+/** The typed face of the WebAssembly core. Checked against the built module by a contract test. */
+
+/** A complex as in the project's own JSON (docs/formats.md). */
+export interface ComplexJson {
+  circumball: 1;
+  dimension: 2 | 3;
+  vertices: number[][];
+  segments?: [number, number][];
+  holes?: number[][];
+  regions?: { at: number[]; label: number; max?: number }[];
+  markers?: { vertices?: number[]; segments?: number[]; faces?: number[] };
+  mesh?: {
+    cells: number[][];
+    cellRegions?: number[];
+    vertexFeatures?: [number, number][];
+    edges?: [number, number, number][];
+    facets?: [number, number, number, number][];
+  };
+}
+
+export interface Defect {
+  name: string;
+  features: { kind: 'vertex' | 'segment' | 'face' | 'free'; index: number }[];
+  at: number[][];
+  message: string;
+  warning: boolean;
+}
+
+export interface ParameterInfo {
+  name: string;
+  default: string | number;
+  min: string | number;
+  max: string | number;
+  help: string;
+}
+
+export interface AlgorithmInfo {
+  id: string;
+  title: string;
+  dimension: number;
+  thesis: string;
+  rules: { action: string; priority: string; unacceptability: string; safety: string };
+  parameters: ParameterInfo[];
+  guarantee: string;
+  checks: string[];
+}
+
+/** Mirrors circumball::Options; everything may be missing. */
+export interface RunOptions {
+  algorithm?: string;
+  tau?: number;
+  minAngle?: number;
+  size?: string;
+  domain?: 'hull' | 'box' | 'closed';
+  maxVertices?: number;
+  minEdge?: number;
+  maxSeconds?: number;
+  parameters?: Record<string, string>;
+}
+
+export type RunStatus = 'running' | 'complete' | 'limit' | 'cancelled';
+
+export interface Progress {
+  status: RunStatus;
+  step: string;
+  vertices: number;
+  queued: number;
+  iterations: number;
+  seconds: number;
+}
+
+/**
+ * New part of the trace since the last call. `events`: 64 bytes each, little-endian, layout of circumball::Event
+ * (lib/include/circumball/trace.h):
+ *   u8 kind, u8 dimension, u8 reason, u8 step, u32 simplex[4], u32 subject, u32 other[2] (32 bytes so far),
+ *   f64 at[3] at byte 32, f64 value at byte 56.
+ * `simplices`: (dimension + 2) numbers for each dead and born simplex, in event order.
+ */
+export interface TraceChunk {
+  events: Uint8Array;
+  simplices: Uint32Array;
+  steps: string[];
+}
+
+export interface CheckResult {
+  name: string;
+  ok: boolean;
+  detail: string;
+  bound: number | null;
+  observed: number | null;
+  worst: number[];
+}
+
+/** The report of cli.md. */
+export interface Report {
+  schema: 1;
+  version: string;
+  algorithm: string;
+  dimension: number;
+  parameters: Record<string, number | string>;
+  input: { vertices: number; segments: number; faces: number; smallest_angle_degrees: number };
+  status: 'complete' | 'limit' | 'cancelled';
+  limit?: string;
+  steps: { name: string; title: string; vertices: number; inserted: number; refused: number; seconds: number }[];
+  mesh: Record<string, number | null>;
+  unresolved: { simplex: number[]; rule: string; reason: string; near: string }[];
+  checks: CheckResult[];
+  fingerprint: string;
+  seconds: number;
+  peak_bytes: number;
+}
+
+export interface MeshArrays {
+  dimension: number;
+  inputVertices: number;
+  boxVertices: number;
+  vertices: Float64Array; // (dimension) numbers a vertex
+  cells: Uint32Array; // (dimension + 1) numbers a cell
+  cellRegions: Float64Array;
+  vertexFeatures: Uint32Array; // 2 numbers a vertex: kind (0 vertex, 1 segment, 2 face, 3 free), index
+  edges: Uint32Array; // 3 numbers: a, b, input segment
+}
+
+export interface ReadAnswer {
+  ok: boolean;
+  format: string;
+  complex: ComplexJson;
+  mesh: MeshArrays | null;
+  defects: Defect[];
+}
+
+/** Every function returns a plain object or typed arrays that the caller owns; nothing throws, nothing must be deleted. */
+export interface CircumballModule {
+  version(): string;
+  /** Empty when the arithmetic is sound; else what is wrong. */
+  selfTest(): string;
+  algorithms(): AlgorithmInfo[];
+  /** The names of the enumerators of circumball::EventKind and Reason, by number. */
+  traceNames(): { kinds: Record<number, string>; reasons: Record<number, string> };
+  /** `files[0]` is read; the others are its siblings (.node beside .poly). */
+  read(files: { name: string; bytes: Uint8Array }[]): ReadAnswer;
+  check(complex: string): Defect[];
+  /** Starts a run with a recording sink; `complex` and `options` are JSON. */
+  start(
+    complex: string,
+    options: string,
+  ): { ok: boolean; run: number; error: string; defects: Defect[]; steps: string[]; tau: number; domain: string; algorithm: string };
+  /** Up to `iterations` iterations (0: no bound), about `seconds` at most (0: no bound). */
+  advance(run: number, iterations: number, seconds: number): Progress;
+  cancel(run: number): Progress;
+  takeTrace(run: number): TraceChunk;
+  mesh(run: number): MeshArrays | null;
+  /** The report; `verify` runs the checks that the algorithm promises. */
+  report(run: number, verify: boolean): Report | null;
+  /** Files in the format of an extension (".ele" gives the family). */
+  write(run: number, extension: string): { ok: boolean; error: string; files: { extension: string; bytes: Uint8Array }[] };
+  writeComplex(complex: string, extension: string): { ok: boolean; error: string; files: { extension: string; bytes: Uint8Array }[] };
+  meshExtensions(dimension: number): string[];
+  release(run: number): void;
+}
+
+export default function createCircumball(options?: {
+  locateFile?: (path: string) => string;
+  wasmBinary?: ArrayBuffer | Uint8Array;
+}): Promise<CircumballModule>;
