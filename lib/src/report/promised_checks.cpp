@@ -1,0 +1,61 @@
+#include <algorithm>
+#include <cstdlib>
+#include <optional>
+#include <string>
+
+#include "circumball/registry.h"
+#include "circumball/report.h"
+
+namespace circumball {
+
+namespace {
+
+// Safety refuses for good because of the input: a protected simplex or the border of the domain is
+// in the way. Refusals that a limit caused (edge length, precision, and what froze because of them)
+// excuse nothing.
+bool rightly_refused(const Unresolved& simplex, Status status) {
+  if (simplex.reason == name(Reason::kProtected)) return true;
+  if (simplex.reason == name(Reason::kOutsideDomain)) return true;
+  return simplex.reason == name(Reason::kFrozen) && status == Status::kComplete;
+}
+
+// The bound of --size where it is a number; an expression has no single bound to check cells
+// against.
+std::optional<double> constant_size(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (*end != '\0') return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+VerifyOptions promised_checks(const Run& run) {
+  VerifyOptions result;
+  const int dimension = run.complex().dimension;
+  const AlgorithmInfo* algorithm = find_algorithm(run.options().algorithm, dimension);
+  if (algorithm) result.checks = algorithm->checks;
+  const auto drop = [&](const char* check) {
+    const auto end = std::remove(result.checks.begin(), result.checks.end(), check);
+    result.checks.erase(end, result.checks.end());
+  };
+  result.size = constant_size(run.options().size);
+  if (!result.size) drop("size");
+  result.tau = run.tau();
+  if (!(run.tau() > 0)) {
+    result.tau.reset();
+    drop("radius-edge");
+  }
+  result.domain = name(run.domain());
+  for (const Unresolved& unresolved : run.unresolved(static_cast<std::size_t>(-1))) {
+    if (unresolved.simplex.size() != static_cast<std::size_t>(dimension) + 1) continue;
+    if (!rightly_refused(unresolved, run.status())) continue;
+    result.excused.push_back(unresolved.simplex);
+    std::sort(result.excused.back().begin(), result.excused.back().end());
+  }
+  std::sort(result.excused.begin(), result.excused.end());
+  return result;
+}
+
+}  // namespace circumball

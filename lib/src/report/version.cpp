@@ -1,0 +1,7 @@
+#include "circumball/report.h"
+
+namespace circumball {
+
+const char* version() { return CIRCUMBALL_VERSION; }
+
+}  // namespace circumball
