@@ -1,0 +1,54 @@
+#include <algorithm>
+#include <cstdio>
+
+#include <fmt/format.h>
+
+#include "circumball/registry.h"
+#include "command.h"
+#include "files.h"
+#include "messages.h"
+
+namespace circumball::cli {
+
+namespace {
+
+std::string summary(const ReadResult& input) {
+  const Complex& complex = input.complex;
+  std::string text = fmt::format(
+      "{}: {} vertices, {} segments, {} faces, {} holes, {} regions, dimension {}\n", input.format,
+      complex.vertices.size(), complex.segments.size(), complex.faces.size(), complex.holes.size(),
+      complex.regions.size(), complex.dimension);
+  if (!complex.vertices.empty()) {
+    Point3 low = complex.vertices[0], high = low;
+    for (const Point3& p : complex.vertices) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    }
+    text += complex.dimension == 2
+                ? fmt::format("bounds: ({}, {}) to ({}, {})\n", low.x, low.y, high.x, high.y)
+                : fmt::format("bounds: ({}, {}, {}) to ({}, {}, {})\n", low.x, low.y, low.z, high.x,
+                              high.y, high.z);
+  }
+  if (input.mesh) {
+    text += fmt::format("mesh: {} vertices, {} cells\n", input.mesh->vertices.size(),
+                        input.mesh->cell_count());
+  }
+  return text;
+}
+
+}  // namespace
+
+int check_command(const std::string& path) {
+  const ReadResult input = read_input(path);
+  if (print_defects(input.defects)) return kInvalidInput;
+  std::fputs(summary(input).c_str(), stdout);
+  if (print_defects(check(input.complex))) return kInvalidInput;
+  // Only now: an angle between segments that are invalid means nothing.
+  std::printf("%s",
+              fmt::format("smallest angle: {:.6g} degrees\ndefault algorithm: {}\nvalid\n",
+                          smallest_angle_degrees(input.complex), default_algorithm(input.complex))
+                  .c_str());
+  return kDone;
+}
+
+}  // namespace circumball::cli

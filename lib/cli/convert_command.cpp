@@ -1,0 +1,43 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "circumball/io.h"
+#include "command.h"
+#include "files.h"
+#include "messages.h"
+
+namespace circumball::cli {
+
+int convert_command(const ConvertArguments& arguments) {
+  std::string error;
+  Destination destination;
+  if (!parse_destination(arguments.output, arguments.format, &destination, &error)) {
+    print_error(error);
+    return kUsage;
+  }
+  const ReadResult input = read_input(arguments.input);
+  if (print_defects(input.defects)) return kInvalidInput;
+
+  std::vector<OutputFile> files;
+  const std::vector<std::string> known = mesh_extensions(input.complex.dimension);
+  const bool as_mesh = input.mesh && std::count(known.begin(), known.end(), destination.extension);
+  if (as_mesh) {
+    WriteOptions options;
+    options.msh_version = arguments.msh_version;
+    files = write_mesh(*input.mesh, input.complex, destination.extension, options, &error);
+  } else {
+    files = write_complex(input.complex, destination.extension, &error);
+  }
+  if (files.empty()) {
+    print_error(error);
+    return kUsage;
+  }
+  if (!write_files(destination, files, &error)) {
+    print_error(error);
+    return kUsage;
+  }
+  return kDone;
+}
+
+}  // namespace circumball::cli

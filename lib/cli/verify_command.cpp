@@ -1,0 +1,52 @@
+#include <cstdio>
+
+#include <fmt/format.h>
+
+#include "circumball/verify.h"
+#include "command.h"
+#include "files.h"
+#include "messages.h"
+
+namespace circumball::cli {
+
+namespace {
+
+bool named_ok(const std::vector<Check>& checks, const char* name) {
+  for (const Check& check : checks) {
+    if (check.name == name && check.ok) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+int verify_command(const VerifyArguments& arguments) {
+  const ReadResult input = read_input(arguments.input);
+  const ReadResult mesh = read_input(arguments.mesh);
+  const bool unreadable = print_defects(input.defects) | print_defects(mesh.defects);
+  if (unreadable || print_defects(check(input.complex))) return kInvalidInput;
+  if (!mesh.mesh) {
+    print_error(fmt::format("'{}' ({}) holds no mesh", arguments.mesh, mesh.format));
+    return kInvalidInput;
+  }
+  if (mesh.mesh->dimension != input.complex.dimension) {
+    print_error("the mesh and the complex differ in dimension");
+    return kInvalidInput;
+  }
+  // What the mesh was meant to cover is not written in it: it is what encloses, the hull, or a box,
+  // whichever its area is that of. All other checks are the same for the three.
+  VerifyOptions options;
+  options.tau = arguments.tau;
+  std::vector<Check> checks;
+  for (const char* domain : {"closed", "hull", "box"}) {
+    options.domain = domain;
+    std::vector<Check> attempt = verify(*mesh.mesh, input.complex, options);
+    const bool covers = named_ok(attempt, "area");
+    if (checks.empty() || covers) checks = std::move(attempt);
+    if (covers) break;
+  }
+  std::fputs(table(checks).c_str(), stdout);
+  return all_ok(checks) ? kDone : kCheckFailed;
+}
+
+}  // namespace circumball::cli
