@@ -1,0 +1,214 @@
+#ifndef CIRCUMBALL_PREDICATES_FAST_H_
+#define CIRCUMBALL_PREDICATES_FAST_H_
+
+#include <cmath>
+
+#include "circumball/types.h"
+#include "predicates/counters.h"
+
+/// Predicates for the kernels: the filter is inline, what follows it is not.
+///
+/// Each `*_filtered` returns a double whose *sign* is the exact sign of the predicate (see
+/// circumball/predicates.h for the meaning of the signs); its magnitude means nothing.
+///
+/// Why the filters are right. Write eps = 2^-53. By the standard model, a sum of monomials, each of
+/// which passes through at most k roundings, is computed with an error of at most gamma_k P, where
+/// P is the sum of the absolute values of the monomials and gamma_k = k eps / (1 - k eps) (Higham,
+/// Accuracy and Stability of Numerical Algorithms, 2nd ed. 2002, Lemma 3.1). The last rounding need
+/// not be counted: it never changes a sign. The comments give k and an upper bound of P that is
+/// cheap to compute. The constants are (k + 1/2) eps or more: half an eps, at least 3 % of the
+/// bound, covers gamma_k - k eps and the dozen roundings of the bound itself. Where the bound is
+/// zero, the determinant is exactly zero; so `>=` decides that case, too.
+///
+/// Why nothing underflows. Doubles that are zero or at least 1e-45 > 2^-150 are multiples of u =
+/// 2^-202, hence so are their differences, rounded or not, and a product of d differences, rounded
+/// or not, is a multiple of u^d: a rounding to 53 bits never leaves such a lattice. For d <= 5 u^d
+/// >= 2^-1010 is a normal number, so that the standard model holds without an underflow term; and
+/// an error that is not zero is at least u^d, so that a bound which matters is normal as well.
+/// Differences are at most 2^184, so nothing overflows: degree 5 stays below 2^940. (The ball of a
+/// triangle has degree 6 and looks after itself.)
+namespace circumball {
+
+namespace internal {
+/// The stages after the filter. They return a double of the exact sign.
+double orient2d_exact(double ax, double ay, double bx, double by, double cx, double cy);
+double orient3d_exact(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
+double incircle_exact(double ax, double ay, double bx, double by, double cx, double cy, double dx,
+                      double dy);
+double insphere_exact(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
+                      const Point3& e);
+double segment_ball2_exact(double ax, double ay, double bx, double by, double px, double py);
+double segment_ball3_exact(const Point3& a, const Point3& b, const Point3& p);
+double triangle_ball_exact(const Point3& a, const Point3& b, const Point3& c, const Point3& p);
+double compare_distance_exact(const Point2& a, const Point2& b, const Point2& c, const Point2& d);
+
+constexpr double kEpsilon = 0x1p-53;  ///< the unit roundoff: half a unit in the last place of 1
+
+constexpr double kOrient2dBound = 3.5 * kEpsilon;
+constexpr double kOrient3dBound = 7.5 * kEpsilon;
+constexpr double kIncircleBound = 10.5 * kEpsilon;
+constexpr double kInsphereBound = 2.3 * kEpsilon;
+constexpr double kSegmentBall2Bound = 3.5 * kEpsilon;
+constexpr double kSegmentBall3Bound = 4.5 * kEpsilon;
+constexpr double kTriangleBallBound = 20 * kEpsilon;
+constexpr double kDistanceBound = 4.5 * kEpsilon;
+}  // namespace internal
+
+/// Sign of orient2d(a, b, c).
+/// k = 3 (two differences, a product); P is computed as it stands (Shewchuk 1997, section 4.1).
+inline double orient2d_filtered(double ax, double ay, double bx, double by, double cx, double cy) {
+  const double left = (ax - cx) * (by - cy);
+  const double right = (ay - cy) * (bx - cx);
+  const double det = left - right;
+  if (std::fabs(det) >= internal::kOrient2dBound * (std::fabs(left) + std::fabs(right))) {
+    internal::count_filter(internal::Predicate::kOrient2d);
+    return det;
+  }
+  return internal::orient2d_exact(ax, ay, bx, by, cx, cy);
+}
+
+/// Sign of incircle(a, b, c, d).
+/// With A, B, C the squared distances of a, b, c from d: k = 10 (A: 4; the minor: 4; their product;
+/// one of two sums), and P <= AB + BC + CA, because |bx cy| + |by cx| <= |b| |c| <= (B + C) / 2 by
+/// Cauchy-Schwarz and the means.
+inline double incircle_filtered(double ax, double ay, double bx, double by, double cx, double cy,
+                                double dx, double dy) {
+  const double adx = ax - dx, ady = ay - dy;
+  const double bdx = bx - dx, bdy = by - dy;
+  const double cdx = cx - dx, cdy = cy - dy;
+  const double a2 = adx * adx + ady * ady;
+  const double b2 = bdx * bdx + bdy * bdy;
+  const double c2 = cdx * cdx + cdy * cdy;
+  const double det =
+      a2 * (bdx * cdy - cdx * bdy) + b2 * (cdx * ady - adx * cdy) + c2 * (adx * bdy - bdx * ady);
+  if (std::fabs(det) >= internal::kIncircleBound * (a2 * (b2 + c2) + b2 * c2)) {
+    internal::count_filter(internal::Predicate::kIncircle);
+    return det;
+  }
+  return internal::incircle_exact(ax, ay, bx, by, cx, cy, dx, dy);
+}
+
+/// Sign of orient3d(a, b, c, d).
+/// k = 7 (the minor: two differences, product, sum; a difference, product, one of two sums); P as
+/// it stands.
+inline double orient3d_filtered(const Point3& a, const Point3& b, const Point3& c,
+                                const Point3& d) {
+  const double adx = a.x - d.x, ady = a.y - d.y, adz = a.z - d.z;
+  const double bdx = b.x - d.x, bdy = b.y - d.y, bdz = b.z - d.z;
+  const double cdx = c.x - d.x, cdy = c.y - d.y, cdz = c.z - d.z;
+  const double bc = bdx * cdy, cb = cdx * bdy;
+  const double ca = cdx * ady, ac = adx * cdy;
+  const double ab = adx * bdy, ba = bdx * ady;
+  const double det = adz * (bc - cb) + bdz * (ca - ac) + cdz * (ab - ba);
+  const double permanent = std::fabs(adz) * (std::fabs(bc) + std::fabs(cb)) +
+                           std::fabs(bdz) * (std::fabs(ca) + std::fabs(ac)) +
+                           std::fabs(cdz) * (std::fabs(ab) + std::fabs(ba));
+  if (std::fabs(det) >= internal::kOrient3dBound * permanent) {
+    internal::count_filter(internal::Predicate::kOrient3d);
+    return det;
+  }
+  return internal::orient3d_exact(a, b, c, d);
+}
+
+/// Sign of insphere(a, b, c, d, e).
+/// k = 15 (a squared distance: 5; the 3x3 minor: 8; their product; one of two sums). The permanent
+/// of a 3x3 matrix is at most 6 / 3^(3/2) times the product of the lengths of its rows (Carlen,
+/// Lieb, Loss, Methods Appl. Anal. 13, 2006), so with S the sum of the four squared distances P
+/// <= 1.1548 |a||b||c||d| (|a|+|b|+|c|+|d|) <= 1.1548 (S/4)^2 2 sqrt(S) < 0.1444 S^2 sqrt(S), by
+/// the inequality of the means; 15.5 * 0.1444 < 2.3.
+inline double insphere_filtered(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
+                                const Point3& e) {
+  const double aex = a.x - e.x, aey = a.y - e.y, aez = a.z - e.z;
+  const double bex = b.x - e.x, bey = b.y - e.y, bez = b.z - e.z;
+  const double cex = c.x - e.x, cey = c.y - e.y, cez = c.z - e.z;
+  const double dex = d.x - e.x, dey = d.y - e.y, dez = d.z - e.z;
+  const double ab = aex * bey - bex * aey;
+  const double bc = bex * cey - cex * bey;
+  const double cd = cex * dey - dex * cey;
+  const double da = dex * aey - aex * dey;
+  const double ac = aex * cey - cex * aey;
+  const double bd = bex * dey - dex * bey;
+  const double abc = aez * bc - bez * ac + cez * ab;
+  const double bcd = bez * cd - cez * bd + dez * bc;
+  const double cda = cez * da + dez * ac + aez * cd;
+  const double dab = dez * ab + aez * bd + bez * da;
+  const double a2 = aex * aex + aey * aey + aez * aez;
+  const double b2 = bex * bex + bey * bey + bez * bez;
+  const double c2 = cex * cex + cey * cey + cez * cez;
+  const double d2 = dex * dex + dey * dey + dez * dez;
+  const double det = (d2 * abc - c2 * dab) + (b2 * cda - a2 * bcd);
+  const double sum = (a2 + b2) + (c2 + d2);
+  if (std::fabs(det) >= internal::kInsphereBound * (sum * sum * std::sqrt(sum))) {
+    internal::count_filter(internal::Predicate::kInsphere);
+    return det;
+  }
+  return internal::insphere_exact(a, b, c, d, e);
+}
+
+/// Sign of in_diametral_ball(a, b, p) in the plane: (a - p) . (p - b). k = 3, P as it stands.
+inline double in_segment_ball_filtered(double ax, double ay, double bx, double by, double px,
+                                       double py) {
+  const double s = (ax - px) * (px - bx);
+  const double t = (ay - py) * (py - by);
+  const double dot = s + t;
+  if (std::fabs(dot) >= internal::kSegmentBall2Bound * (std::fabs(s) + std::fabs(t))) {
+    internal::count_filter(internal::Predicate::kSegmentBall2);
+    return dot;
+  }
+  return internal::segment_ball2_exact(ax, ay, bx, by, px, py);
+}
+
+/// Sign of in_diametral_ball(a, b, p) in space. k = 4, P as it stands.
+inline double in_segment_ball_filtered(const Point3& a, const Point3& b, const Point3& p) {
+  const double s = (a.x - p.x) * (p.x - b.x);
+  const double t = (a.y - p.y) * (p.y - b.y);
+  const double u = (a.z - p.z) * (p.z - b.z);
+  const double dot = s + t + u;
+  if (std::fabs(dot) >=
+      internal::kSegmentBall3Bound * (std::fabs(s) + std::fabs(t) + std::fabs(u))) {
+    internal::count_filter(internal::Predicate::kSegmentBall3);
+    return dot;
+  }
+  return internal::segment_ball3_exact(a, b, p);
+}
+
+/// Sign of in_diametral_ball(a, b, c, p): the smallest ball through a triangle in space.
+///
+/// With u = a - c, v = b - c, q = p - c and n = u x v, the centre is c + ((uu v - vv u) x n) / (2
+/// nn), so p is inside if nn qq < q . ((uu v - vv u) x n). Expanding the triple products leaves
+/// inner products only:
+///   D = uu vv (qu + qv - qq) - uv (uu qv + vv qu - uv qq) > 0.
+/// Its degree, 6, is the least possible: as a polynomial in q the form has the leading coefficient
+/// nn, which is irreducible and does not divide the rest, so D is irreducible, and a polynomial of
+/// the same sign is a multiple.
+///
+/// k = 19 on either side of the last minus (left: uu and vv, 5 each, 1 product, qu 5 and 2 sums, 1
+/// product; right: uv 5, uu qv 5 + 5 + 1, 2 sums, 1 product). |uv| <= |u||v| and so on bound the
+/// monomials: P <= 2 uu vv (|u||q| + |v||q| + qq) <= uu vv (uu + vv + 4 qq). Degree 6 underflows
+/// only in the last two products (u^4 of the lattice above is normal), by at most 2^-1074 in all:
+/// nothing beside a bound of 2^-1000. What overflows makes the bound infinite, which nothing
+/// exceeds.
+inline double in_triangle_ball_filtered(const Point3& a, const Point3& b, const Point3& c,
+                                        const Point3& p) {
+  const double ux = a.x - c.x, uy = a.y - c.y, uz = a.z - c.z;
+  const double vx = b.x - c.x, vy = b.y - c.y, vz = b.z - c.z;
+  const double qx = p.x - c.x, qy = p.y - c.y, qz = p.z - c.z;
+  const double uu = ux * ux + uy * uy + uz * uz;
+  const double vv = vx * vx + vy * vy + vz * vz;
+  const double qq = qx * qx + qy * qy + qz * qz;
+  const double uv = ux * vx + uy * vy + uz * vz;
+  const double qu = qx * ux + qy * uy + qz * uz;
+  const double qv = qx * vx + qy * vy + qz * vz;
+  const double uuvv = uu * vv;
+  const double det = uuvv * (qu + qv - qq) - uv * (uu * qv + vv * qu - uv * qq);
+  const double bound = internal::kTriangleBallBound * (uuvv * (uu + vv + 4 * qq));
+  if (std::fabs(det) > bound && bound >= 0x1p-1000) {
+    internal::count_filter(internal::Predicate::kTriangleBall);
+    return det;
+  }
+  return internal::triangle_ball_exact(a, b, c, p);
+}
+
+}  // namespace circumball
+
+#endif  // CIRCUMBALL_PREDICATES_FAST_H_
