@@ -1,0 +1,62 @@
+/** Layout and meaning of trace events: lib/include/circumball/trace.h, 64 bytes each, little-endian. */
+
+export const EVENT_BYTES = 64;
+export const NONE = 0xffffffff;
+
+export const Kind = {
+  stepBegan: 0,
+  stepEnded: 1,
+  queued: 2,
+  dropped: 3,
+  refused: 4,
+  yielded: 5,
+  inserted: 6,
+  relabeled: 7,
+  limit: 8,
+} as const;
+
+export const Reason = {
+  none: 0,
+  encroached: 1,
+  missing: 2,
+  radiusEdge: 3,
+  size: 4,
+  regionSize: 5,
+  tooLong: 6,
+  yieldedTo: 7,
+  returned: 8,
+  input: 16,
+  box: 17,
+  midpoint: 18,
+  circumcenter: 19,
+  offCenter: 20,
+  division: 21,
+  outsideDomain: 32,
+  protected: 33,
+  minEdge: 34,
+  precision: 35,
+  frozen: 36,
+  died: 48,
+  acceptable: 49,
+  limitVertices: 64,
+  limitMinEdge: 65,
+  limitSeconds: 66,
+  limitPrecision: 67,
+  limitMemory: 68,
+  cancelled: 69,
+} as const;
+
+/** One event, taken out of the record for whoever wants to read it at leisure. */
+export interface TraceEvent {
+  readonly index: number;
+  readonly kind: number;
+  readonly dimension: number; // of the simplex: 0 vertex, 1 subsegment, 2 triangle
+  readonly reason: number;
+  readonly step: number;
+  readonly simplex: readonly number[]; // its vertices: dimension + 1 of them
+  readonly segment: number; // input segment of a subsegment; NONE
+  readonly subject: number;
+  readonly other: readonly [number, number];
+  readonly at: readonly [number, number];
+  readonly value: number;
+}
