@@ -1,0 +1,99 @@
+#ifndef CIRCUMBALL_DELAUNAY_SPATIAL_ORDER_H_
+#define CIRCUMBALL_DELAUNAY_SPATIAL_ORDER_H_
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "circumball/types.h"
+
+/// The order in which a batch of points is inserted: near each other in a row, and yet random
+/// enough for the bound on the expected work to hold.
+namespace circumball {
+
+/// Place of a cell of a 65536 x 65536 grid along the Hilbert curve.
+std::uint32_t hilbert_key(std::uint32_t x, std::uint32_t y);
+
+/// Sorts by value: numbers that carry a key in the upper half, ties by the lower. `scratch` has the
+/// same size.
+void sort_keyed(std::uint64_t* first, std::uint64_t* last, std::uint64_t* scratch);
+
+/// Deals an order into rounds, each about four times as large as all before it, that keep the order
+/// within (Amenta, Choi and Rote, "Incremental constructions con BRIO", 2003). Which round an index
+/// gets depends on the index alone.
+void deal_rounds(std::vector<std::uint32_t>* order);
+
+namespace internal {
+
+/// The cell of a coordinate, whatever the numbers.
+inline std::uint32_t grid_cell(double offset, double scale) {
+  const double cell = offset * scale;
+  return cell >= 65535 ? 65535u : cell > 0 ? static_cast<std::uint32_t>(cell) : 0u;
+}
+
+template <class At>
+void sort_run(const At& at, std::uint64_t* first, std::uint64_t* last, std::uint64_t* scratch) {
+  const auto index = [](std::uint64_t item) { return static_cast<std::uint32_t>(item); };
+  const auto lexicographic = [&](std::uint64_t a, std::uint64_t b) {
+    const Point2 &p = at(index(a)), &q = at(index(b));
+    return p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : index(a) < index(b);
+  };
+  constexpr std::ptrdiff_t kSmallRun = 8;  // below it, one order is as good as another
+  if (last - first <= kSmallRun) return std::sort(first, last, lexicographic);
+
+  Point2 low = at(index(*first)), high = low;
+  for (const std::uint64_t* i = first; i != last; ++i) {
+    const Point2& p = at(index(*i));
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  const double width = std::max(high.x - low.x, high.y - low.y);
+  const double scale = 65536 / width;
+  for (std::uint64_t* i = first; i != last; ++i) {
+    const Point2& p = at(index(*i));
+    const std::uint64_t key =
+        hilbert_key(grid_cell(p.x - low.x, scale), grid_cell(p.y - low.y, scale));
+    *i = key << 32 | index(*i);
+  }
+  sort_keyed(first, last, scratch);
+  if (first[0] >> 32 == last[-1] >> 32) return std::sort(first, last, lexicographic);  // all equal
+  for (std::uint64_t *run = first, *end; run != last; run = end) {
+    end = run + 1;
+    while (end != last && *end >> 32 == *run >> 32) ++end;
+    if (end - run > 1) sort_run(at, run, end, scratch + (run - first));
+  }
+}
+
+}  // namespace internal
+
+/// Sorts indices of points, at(index) -> const Point2&, along the Hilbert curve of their bounding
+/// square; points that share a cell of its grid, along a finer curve, so that clusters of any size
+/// are in order. Of points with equal coordinates only the lowest index stays; returns pairs (an
+/// index that went, the one that stayed). O(n log n).
+template <class At>
+std::vector<std::pair<std::uint32_t, std::uint32_t>> sort_along_hilbert_curve(
+    const At& at, std::vector<std::uint32_t>* order) {
+  std::vector<std::uint64_t> items(order->begin(), order->end()), scratch(items.size());
+  if (!items.empty())
+    internal::sort_run(at, items.data(), items.data() + items.size(), scratch.data());
+  // Points with equal coordinates share every cell, and end side by side in the order of their
+  // indices.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> duplicates;
+  std::size_t kept = 0;
+  for (const std::uint64_t item : items) {
+    const std::uint32_t i = static_cast<std::uint32_t>(item);
+    if (kept > 0 && at((*order)[kept - 1]) == at(i)) {
+      duplicates.emplace_back(i, (*order)[kept - 1]);
+    } else {
+      (*order)[kept++] = i;
+    }
+  }
+  order->resize(kept);
+  return duplicates;
+}
+
+}  // namespace circumball
+
+#endif  // CIRCUMBALL_DELAUNAY_SPATIAL_ORDER_H_
