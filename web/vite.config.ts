@@ -13,7 +13,7 @@ export default defineConfig({
   server: { fs: { allow: ['..'] } },
   worker: { format: 'es' },
   build: {
-    outDir: here('../dist/web'),
+    outDir: here('../dist/site'),
     emptyOutDir: true,
     target: 'es2022',
     chunkSizeWarningLimit: 900,
