@@ -1,6 +1,6 @@
 import { NEVER } from '../shared/types.ts';
-import { Kind, NONE, type TraceEvent } from './event.ts';
-import { GrowU8, GrowU32 } from './grow.ts';
+import { Kind, NONE, Reason, type TraceEvent } from './event.ts';
+import { GrowF64, GrowU8, GrowU32 } from './grow.ts';
 import { SimplexTable } from './simplex-table.ts';
 
 /** What waits in the queue at a position: how many, and the events that queued the first of them, in priority order. */
@@ -10,46 +10,70 @@ export interface QueueView {
   readonly events: readonly number[];
 }
 
+/** How triangles are ordered: by birth (Ruppert), or the largest value first (Chew). Subsegments always go first. */
+export type TriangleOrder = 'birth' | 'value';
+
 /**
  * Who waited in the queue, and from when to when: entries with the interval in which they waited, as in Trace.
- * An entry leaves when its simplex is popped (dropped, refused, yielded, inserted), or is replaced when the same simplex
- * is queued again for another reason.
+ * An entry leaves when its simplex is popped (dropped, refused, yielded, inserted) or, a triangle, dies. A simplex that
+ * is queued while it waits keeps its place.
  */
 export class QueueHistory {
   private readonly queuedBy = new GrowU32();
-  private readonly dimension = new GrowU8();
+  private readonly isSegment = new GrowU8();
+  private readonly isReturned = new GrowU8();
+  private readonly value = new GrowF64();
   private readonly left = new GrowU32();
   private readonly waiting = new SimplexTable();
 
   record(event: TraceEvent): void {
     if (event.simplex.length === 0) return;
-    const isQueued = event.kind === Kind.queued;
-    if (!isQueued && !isPop(event.kind)) return;
-    const [a, b, c] = key(event);
-    const before = this.waiting.take(a, b, c);
-    if (before >= 0) this.left.data[before] = event.index;
-    if (!isQueued) return;
-    this.waiting.set(a, b, c, this.queuedBy.length);
-    this.queuedBy.push(event.index);
-    this.dimension.push(event.dimension);
-    this.left.push(NEVER);
+    if (event.kind !== Kind.queued && !isPop(event.kind)) return;
+    const [a, b, c] = key(event.simplex);
+    if (event.kind === Kind.queued) {
+      if (this.waiting.get(a, b, c) >= 0) return;
+      const number = this.queuedBy.length;
+      this.waiting.set(a, b, c, number);
+      this.queuedBy.push(event.index);
+      this.isSegment.push(event.dimension === 1 ? 1 : 0);
+      this.isReturned.push(event.reason === Reason.returned ? 1 : 0);
+      this.value.set(number, event.value);
+      this.left.push(NEVER);
+    } else {
+      this.leave(a, b, c, event.index);
+    }
   }
 
-  /** O(entries ever queued before the position). Segments come before triangles, then order of birth. */
-  at(position: number, most: number): QueueView {
+  /** A triangle died by an insertion. */
+  died(a: number, b: number, c: number, event: number): void {
+    this.leave(...key([a, b, c]), event);
+  }
+
+  /** O(entries ever queued before the position). */
+  at(position: number, most: number, order: TriangleOrder = 'birth'): QueueView {
     const segments: number[] = [];
+    const returned: number[] = [];
     const triangles: number[] = [];
     for (let i = 0; i < this.queuedBy.length; i++) {
-      const event = this.queuedBy.at(i);
-      if (event >= position) break;
+      if (this.queuedBy.at(i) >= position) break;
       if (position > this.left.at(i)) continue;
-      (this.dimension.data[i] === 1 ? segments : triangles).push(event);
+      if (this.isSegment.data[i]) segments.push(i);
+      else if (this.isReturned.data[i] && order === 'birth') returned.push(i);
+      else triangles.push(i);
     }
+    if (order === 'value') triangles.sort((i, j) => this.value.data[j]! - this.value.data[i]! || i - j);
+    returned.reverse(); // who came back last stands at the head
+    const all = segments.concat(returned, triangles);
     return {
-      length: segments.length + triangles.length,
+      length: all.length,
       segments: segments.length,
-      events: segments.slice(0, most).concat(triangles.slice(0, Math.max(0, most - segments.length))),
+      events: all.slice(0, most).map((i) => this.queuedBy.at(i)),
     };
+  }
+
+  private leave(a: number, b: number, c: number, event: number): void {
+    const number = this.waiting.take(a, b, c);
+    if (number >= 0) this.left.data[number] = event;
   }
 }
 
@@ -62,10 +86,11 @@ function isPop(kind: number): boolean {
   );
 }
 
-function key(event: TraceEvent): [number, number, number] {
-  const [a, b, c] = event.simplex;
-  if (event.simplex.length === 2) return [Math.min(a!, b!), Math.max(a!, b!), NONE];
-  if (event.simplex.length === 1) return [a!, NONE, NONE];
-  const sorted = [a!, b!, c!].sort((x, y) => x - y);
-  return [sorted[0]!, sorted[1]!, sorted[2]!];
+function key(simplex: readonly number[]): [number, number, number] {
+  const [a, b, c] = simplex as [number, number, number];
+  if (simplex.length === 2) return [Math.min(a, b), Math.max(a, b), NONE];
+  if (simplex.length === 1) return [a, NONE, NONE];
+  const low = Math.min(a, b, c);
+  const high = Math.max(a, b, c);
+  return [low, a === low || a === high ? (b === low || b === high ? c : b) : a, high];
 }

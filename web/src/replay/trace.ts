@@ -118,14 +118,14 @@ export class Trace {
     if (!last || last.step !== event.step) this.stepStarts.push({ step: event.step, event: i });
     let stream = start;
     let dead = 0;
+    this.queue.record(event);
     if (event.kind === Kind.inserted || event.kind === Kind.relabeled) {
       if (event.kind === Kind.inserted) this.bearVertex(event);
       dead = event.other[0];
       for (let k = 0; k < dead; k++, stream += 4) this.killTriangle(simplices, stream, i);
       for (let k = 0; k < event.other[1]; k++, stream += 4) this.bearTriangle(simplices, stream, i);
     }
-    this.queue.record(event);
-    this.changeDead.push(dead);
+        this.changeDead.push(dead);
     this.changeStart.push(this.changes.length);
     this.insertedBefore.push(this.insertedBefore.at(i) + (event.kind === Kind.inserted ? 1 : 0));
     this.refusedBefore.push(this.refusedBefore.at(i) + (event.kind === Kind.refused ? 1 : 0));
@@ -174,6 +174,8 @@ export class Trace {
     if (number < 0) throw new Error(`event ${event}: triangle ${a} ${b} ${c} died but never lived`);
     this.triangleDied.data[number] = event;
     this.changes.push(number);
+    // A relabeled triangle is born again at once and keeps its place in the queue.
+    if (this.kind(event) === Kind.inserted) this.queue.died(a, b, c, event);
   }
 
   /** The input's segments count as born by event 0: with the first vertex they are there. */

@@ -1,0 +1,154 @@
+import { formatNumber, simplexName } from '../texts.ts';
+import { Kind, NONE, Reason, type TraceEvent } from './event.ts';
+
+/**
+ * The sentence of an event, in the words of the four rules, naming the witness. The words agree with circumball::describe,
+ * which the command prints.
+ */
+export function describe(e: TraceEvent, steps: readonly string[]): string {
+  const name = simplexName(e.simplex, e.segment);
+  const step = steps[e.step] ?? String(e.step);
+  switch (e.kind) {
+    case Kind.stepBegan:
+      return `Step ${step} begins.`;
+    case Kind.stepEnded: {
+      const refusals = e.other[0] === NONE ? 0 : e.other[0];
+      return `Step ${step} ends: ${plural(e.subject, 'vertex', 'vertices')} inserted, ${plural(refusals, 'refusal', 'refusals')}.`;
+    }
+    case Kind.queued:
+      return queued(e, name);
+    case Kind.dropped:
+      return e.reason === Reason.died
+        ? `${capital(name)} was taken from the queue and dropped: it is no longer in the mesh.`
+        : `${capital(name)} was taken from the queue and dropped: it has become acceptable.`;
+    case Kind.refused:
+      return `${capital(name)} is not safe to split: ${refusal(e.reason)}.`;
+    case Kind.yielded: {
+      const segment = e.subject === NONE ? '' : ` of segment ${e.subject}`;
+      return `The circumcenter of ${name} encroaches subsegment ${e.other[0]}–${e.other[1]}${segment}, so it yields: that subsegment is queued, and the triangle goes back.`;
+    }
+    case Kind.inserted:
+      return inserted(e, name);
+    case Kind.relabeled:
+      return `${plural(e.other[1], 'triangle is', 'triangles are')} now known to be inside or outside the domain.`;
+    case Kind.limit:
+      return `The run stops: ${limit(e.reason)}.`;
+    default:
+      return '';
+  }
+}
+
+function queued(e: TraceEvent, name: string): string {
+  const it = capital(name);
+  switch (e.reason) {
+    case Reason.encroached:
+      return e.subject === NONE
+        ? `${it} is unacceptable: a vertex lies inside its diametral disk.`
+        : `${it} is unacceptable: vertex ${e.subject} lies inside its diametral disk.`;
+    case Reason.missing:
+      return `${it} is unacceptable: it is not an edge of the Delaunay triangulation.`;
+    case Reason.radiusEdge:
+      return `${it} is unacceptable: its circumradius is ${formatNumber(e.value)} times its shortest edge, more than τ.`;
+    case Reason.size:
+      return `${it} is unacceptable: its circumradius ${formatNumber(e.value)} exceeds the size bound.`;
+    case Reason.regionSize:
+      return `${it} is unacceptable: its area ${formatNumber(e.value)} exceeds the bound of its region.`;
+    case Reason.tooLong:
+      return `${it} is unacceptable: its length ${formatNumber(e.value)} is more than the algorithm allows.`;
+    case Reason.yieldedTo:
+      return `${it} is queued: a circumcenter yielded to it.`;
+    case Reason.returned:
+      return `${it} goes back to the head of the queue, to wait for that split.`;
+    default:
+      return `${it} is queued.`;
+  }
+}
+
+function inserted(e: TraceEvent, name: string): string {
+  const vertex = `Vertex ${e.subject}`;
+  const radius = e.value > 0 ? ` Its nearest neighbor was ${formatNumber(e.value)} away.` : '';
+  switch (e.reason) {
+    case Reason.input:
+      return `${vertex} of the input is inserted.`;
+    case Reason.box:
+      return `${vertex}, a corner of the box, is inserted.`;
+    case Reason.midpoint:
+      return `${vertex} is inserted at the midpoint of ${name}.${radius}`;
+    case Reason.division:
+      return `${vertex} is inserted to divide ${name} into equal parts.${radius}`;
+    case Reason.offCenter:
+      return `${vertex} is inserted at the off-center of ${name}.${radius}`;
+    case Reason.circumcenter:
+      return `${vertex} is inserted at the circumcenter of ${name}.${radius}`;
+    default:
+      return `${vertex} is inserted.${radius}`;
+  }
+}
+
+function refusal(reason: number): string {
+  switch (reason) {
+    case Reason.outsideDomain:
+      return 'its circumcenter lies outside the domain';
+    case Reason.protected:
+      return 'only protected simplices are in the way';
+    case Reason.minEdge:
+      return 'an edge shorter than the bound would appear';
+    case Reason.precision:
+      return 'the new vertex could not be told from another one in double precision';
+    case Reason.frozen:
+      return 'it would yield to a subsegment that was refused itself';
+    default:
+      return 'the Safety rule forbids it';
+  }
+}
+
+function limit(reason: number): string {
+  switch (reason) {
+    case Reason.limitVertices:
+      return 'the bound on the number of vertices is reached';
+    case Reason.limitMinEdge:
+      return 'the bound on the shortest edge is reached';
+    case Reason.limitSeconds:
+      return 'the bound on time is reached';
+    case Reason.limitPrecision:
+      return 'double precision is exhausted';
+    case Reason.limitMemory:
+      return 'the bound on memory is reached';
+    case Reason.cancelled:
+      return 'it was stopped by hand';
+    default:
+      return 'a limit is reached';
+  }
+}
+
+/** Why a simplex waits, in a few words, for the list of the queue. */
+export function reasonInBrief(e: TraceEvent): string {
+  switch (e.reason) {
+    case Reason.encroached:
+      return e.subject === NONE ? 'encroached' : `encroached by vertex ${e.subject}`;
+    case Reason.missing:
+      return 'not an edge';
+    case Reason.radiusEdge:
+      return `R / edge = ${formatNumber(e.value)}`;
+    case Reason.size:
+      return `R = ${formatNumber(e.value)}`;
+    case Reason.regionSize:
+      return `area ${formatNumber(e.value)}`;
+    case Reason.tooLong:
+      return `length ${formatNumber(e.value)}`;
+    case Reason.yieldedTo:
+      return 'a circumcenter yielded to it';
+    case Reason.returned:
+      return 'its circumcenter yielded';
+    default:
+      return '';
+  }
+}
+
+function capital(s: string): string {
+  return s.charAt(0).toUpperCase() + s.slice(1);
+}
+
+function plural(n: number, one: string, many: string): string {
+  return `${n} ${n === 1 ? one : many}`;
+}

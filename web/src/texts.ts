@@ -1,0 +1,213 @@
+/** Every English text of the page that is not a fact of the core, in one place; and how numbers and names are written. */
+
+export const texts = {
+  name: 'Circumball',
+  tagline: 'Delaunay refinement that you can watch, and trust',
+  loading: 'Loading the core …',
+  coreFailed: 'The core could not be started.',
+  coreUnsound: 'The arithmetic of this browser is not what the exact predicates need: ',
+  reload: 'Reload the page',
+  noWebGL:
+    'This browser offers no WebGL 2, which the picture is drawn with. Turn on hardware acceleration, or try another browser.',
+  empty: {
+    title: 'Draw a polygon, or start from an example',
+    hint: 'Choose a tool at the left edge, drop a file anywhere, or paste one.',
+  },
+  top: {
+    examples: 'Examples',
+    open: 'Open',
+    share: 'Share',
+    export: 'Export',
+    theme: 'Theme',
+    help: 'Help',
+    algorithm: 'Algorithm',
+    more: 'More',
+    fold: 'Panel',
+  },
+  tools: { title: 'Tools', watch: 'Watch', watchHint: 'Look around, pick a vertex, an edge or a triangle.' },
+  panel: {
+    title: 'Details',
+    now: 'Now',
+    rules: 'The four rules',
+    parameters: 'Parameters',
+    queue: 'Queue',
+    inspector: 'Picked',
+    quality: 'Quality',
+    counts: 'Steps',
+    prove: 'Prove',
+    document: 'Input',
+    guarantee: 'Guarantee',
+    source: 'Source',
+  },
+  rules: {
+    action: 'Action',
+    priority: 'Priority',
+    unacceptability: 'Unacceptability',
+    safety: 'Safety',
+    acting: 'acting now',
+  },
+  moment: {
+    start: 'Nothing has happened yet. Press play, or step.',
+    none: 'No run yet.',
+    computing: 'Refining …',
+  },
+  queue: {
+    empty: 'The queue is empty.',
+    more: (n: number) => `and ${formatCount(n)} more`,
+    length: (n: number, segments: number) =>
+      `${formatCount(n)} waiting` + (segments > 0 ? `, ${formatCount(segments)} of them subsegments` : ''),
+  },
+  transport: {
+    play: 'Play',
+    pause: 'Pause',
+    step: 'Step',
+    stepBack: 'Step back',
+    start: 'To the start',
+    end: 'To the end',
+    speed: 'Speed',
+    timeline: 'Timeline',
+    stop: 'Stop computing',
+    next: 'Next',
+    previous: 'Previous',
+    targets: { insertion: 'insertion', refusal: 'refusal', yield: 'yield', step: 'end of step' },
+  },
+  run: {
+    start: 'Refine',
+    stale: 'The input has changed. Refine it to see what becomes of it.',
+    none: 'Refine the input to fill the timeline.',
+    failed: 'The run could not start.',
+    crashed: 'The core stopped unexpectedly and was started again. Your drawing is safe.',
+    hung: 'The core did not answer and was started again. Your drawing is safe.',
+    limits: {
+      vertices: 'The bound on vertices was reached. Raise it under Parameters, or change the input.',
+      other: 'A limit was reached: the mesh is valid, but not everything could be made acceptable.',
+    },
+  },
+  colors: {
+    plain: 'None',
+    quality: 'Smallest angle',
+    size: 'Area',
+    radius: 'Circumradius',
+    step: 'Step of birth',
+    age: 'Age',
+    region: 'Region',
+  },
+  overlays: {
+    mesh: 'Mesh',
+    outside: 'Outside the domain',
+    vertices: 'Steiner vertices',
+    circumcircles: 'Circumcircles',
+    diametral: 'Diametral disks',
+    labels: 'Vertex numbers',
+    grid: 'Grid',
+  },
+  legend: {
+    title: 'Legend',
+    input: 'input feature',
+    onSegment: 'vertex on a segment',
+    free: 'free vertex',
+    acting: 'simplex in hand',
+    witness: 'its witness',
+    ball: 'its ball',
+    ghost: 'point that was not inserted',
+    yielding: 'yields to',
+  },
+  prove: {
+    title: 'Prove',
+    invite: 'The core checks what the algorithm promises, on the finished mesh.',
+    run: 'Verify the mesh',
+    running: 'Verifying …',
+    needsRun: 'Refine the input first.',
+    check: 'Check',
+    bound: 'Bound',
+    observed: 'Observed',
+    holds: 'holds',
+    fails: 'fails',
+    allHold: 'Every promised check holds.',
+    someFail: (n: number) => `${n} of the promised checks ${n === 1 ? 'fails' : 'fail'}.`,
+    fingerprint: 'Fingerprint',
+    fingerprintHint: 'The command prints the same for the same input and parameters.',
+  },
+  gallery: { title: 'Examples', hint: 'Each opens in the picture and can be changed.' },
+  exports: {
+    title: 'Export',
+    mesh: 'The finished mesh',
+    complex: 'The input',
+    picture: 'The picture at this moment',
+    svg: 'Vector figure (SVG)',
+    png: 'Image for print (PNG, 300 dpi)',
+    width: 'Width in centimeters',
+    background: 'Background',
+    caption: 'Caption',
+    copyCaption: 'Copy the caption',
+    trace: 'The trace',
+  },
+  share: {
+    title: 'Share this moment',
+    hint: 'The link carries input, algorithm, parameters, moment and view exactly. Nothing is uploaded.',
+    copy: 'Copy link',
+    copied: 'Copied.',
+    long: 'This input makes a long link; some programs cut it off. Sending the exported input is safer.',
+  },
+  help: { title: 'Help', keys: 'Keys', tour: 'Take the tour', about: 'About' },
+  document: {
+    vertices: 'vertices',
+    segments: 'segments',
+    holes: 'holes',
+    coordinates: 'Coordinates',
+    selected: (n: number) => `${n} selected`,
+    split: 'Split crossings',
+    clear: 'Clear all',
+    defects: 'What is wrong with the input',
+    snap: 'Snap to',
+    snaps: { vertex: 'vertices', segment: 'segments', grid: 'grid', angle: '45°' },
+    add: 'Add a point',
+    join: 'Join',
+    close: 'Close',
+  },
+  open: {
+    drop: 'Drop the file to open it',
+    failed: (name: string) => `${name} could not be opened.`,
+    three: 'This file holds a complex in space; the page draws the plane.',
+    opened: (name: string) => `Opened ${name}`,
+  },
+  close: 'Close',
+  undo: (title: string) => (title ? `Undo: ${title}` : 'Undo'),
+  redo: (title: string) => (title ? `Redo: ${title}` : 'Redo'),
+} as const;
+
+const counts = new Intl.NumberFormat('en-US');
+
+export function formatCount(n: number): string {
+  return counts.format(n);
+}
+
+/** Four significant digits: for reading. Exact values are shown where they are edited. */
+export function formatNumber(x: number): string {
+  if (!Number.isFinite(x)) return Number.isNaN(x) ? '–' : x > 0 ? '∞' : '−∞';
+  if (x === 0) return '0';
+  const size = Math.abs(x);
+  const text =
+    size >= 1e6 || size < 1e-3
+      ? x.toExponential(2).replace('e', ' · 10^').replace('^+', '^')
+      : String(Number(x.toPrecision(4)));
+  return text.replace('-', '−').replace(/\^(.*)$/, (_, power: string) => superscript(power));
+}
+
+function superscript(power: string): string {
+  const digits = '⁰¹²³⁴⁵⁶⁷⁸⁹';
+  return [...power].map((c) => (c >= '0' && c <= '9' ? digits[Number(c)] : '⁻')).join('');
+}
+
+export function formatDegrees(x: number): string {
+  return Number.isFinite(x) ? `${x.toFixed(1)}°` : '–';
+}
+
+/** "triangle 3–7–12", "subsegment 3–7 of segment 2". */
+export function simplexName(simplex: readonly number[], segment: number): string {
+  if (simplex.length === 2) {
+    const of = segment === 0xffffffff ? '' : ` of segment ${segment}`;
+    return `subsegment ${simplex.join('–')}${of}`;
+  }
+  return simplex.length === 3 ? `triangle ${simplex.join('–')}` : `vertex ${simplex.join('')}`;
+}
