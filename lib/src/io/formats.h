@@ -1,0 +1,61 @@
+#ifndef CIRCUMBALL_IO_FORMATS_H_
+#define CIRCUMBALL_IO_FORMATS_H_
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "circumball/io.h"
+
+/// What the readers and writers share, and the list of them: one format a file.
+namespace circumball::io {
+
+/// Bytes of a file that is read at all. Everything in a complex is numbered with 32 bits.
+constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
+/// How many defects of a file are listed before the rest is left out.
+constexpr std::size_t kMaxDefects = 200;
+/// How deep JSON, SVG groups or geometry collections may nest.
+constexpr std::size_t kMaxDepth = 128;
+
+/// Adds a defect that stops the reading (at most kMaxDefects are kept). Returns false, for `return fail(…)`.
+bool fail(ReadResult& result, const char* name, std::string message);
+/// The same for a place in a text file: "line 12: message".
+bool fail_at(ReadResult& result, std::size_t line, const char* name, const std::string& message);
+void warn(ReadResult& result, const char* name, std::string message);
+
+/// "name.poly" -> "name"; what follows the last point after the last slash is dropped.
+std::string stem(const std::string& name);
+/// ".poly", in lower case; empty if there is none.
+std::string extension_of(const std::string& name);
+/// `token` in quotes for a message: cut after 32 bytes, and without unprintable bytes.
+std::string in_quotes(std::string_view token);
+
+// Readers. Each fills `result` (format, complex, mesh, defects).
+void read_triangle(std::string_view bytes, const std::string& name, const Sibling& sibling,
+                   ReadResult& result);
+void read_json(std::string_view bytes, ReadResult& result);  ///< the project's own, and GeoJSON
+void read_obj(std::string_view bytes, ReadResult& result);
+void read_off(std::string_view bytes, ReadResult& result);
+void read_svg(std::string_view bytes, ReadResult& result);
+
+// Writers of meshes.
+std::vector<OutputFile> write_triangle_mesh(const Mesh& mesh, const Complex& complex);
+std::string write_json_mesh(const Mesh& mesh, const Complex& complex);
+std::string write_vtu(const Mesh& mesh);
+std::string write_msh(const Mesh& mesh, bool version_2);
+std::string write_svg_mesh(const Mesh& mesh);
+std::string write_obj_mesh(const Mesh& mesh);
+std::string write_off(const Mesh& mesh);
+
+// Writers of complexes.
+std::string write_triangle_node(const Complex& complex);
+std::string write_triangle_poly(const Complex& complex);
+std::string write_json_complex(const Complex& complex);
+std::string write_obj_complex(const Complex& complex);
+std::string write_svg_complex(const Complex& complex);
+
+}  // namespace circumball::io
+
+#endif  // CIRCUMBALL_IO_FORMATS_H_

@@ -1,0 +1,148 @@
+#include "io/json_value.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace circumball::io {
+namespace {
+
+/// Bytes of a JSON document that is read: a parsed one takes up to about thirty times as much memory.
+constexpr std::size_t kMaxJsonBytes = std::size_t{1} << 28;
+
+/// Walks over a document without building it: finds the error, or nesting that is too deep, and where.
+class Scout : public nlohmann::json_sax<Json> {
+ public:
+  bool too_deep = false;
+  bool overflow = false;
+  std::size_t position = 0;
+
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(number_integer_t) override { return true; }
+  bool number_unsigned(number_unsigned_t) override { return true; }
+  bool number_float(number_float_t, const string_t&) override { return true; }
+  bool string(string_t&) override { return true; }
+  bool binary(binary_t&) override { return true; }
+  bool start_object(std::size_t) override { return deeper(); }
+  bool key(string_t&) override { return true; }
+  bool end_object() override { return depth_-- > 0; }
+  bool start_array(std::size_t) override { return deeper(); }
+  bool end_array() override { return depth_-- > 0; }
+  bool parse_error(std::size_t at, const std::string&, const Json::exception& error) override {
+    position = at;
+    overflow = error.id == 406;  // out_of_range.406: a number that no double can hold
+    return false;
+  }
+
+ private:
+  bool deeper() {
+    too_deep = ++depth_ > kMaxDepth;
+    return !too_deep;
+  }
+  std::size_t depth_ = 0;
+};
+
+}  // namespace
+
+bool parse_json(std::string_view bytes, Json* json, ReadResult& result) {
+  if (bytes.size() > kMaxJsonBytes)
+    return fail(result, "too-large",
+                "the file has " + std::to_string(bytes.size()) + " bytes, more than the " +
+                    std::to_string(kMaxJsonBytes) + " of JSON that are read: use .poly or .ele");
+  Scout scout;
+  if (!Json::sax_parse(bytes.begin(), bytes.end(), &scout)) {
+    if (scout.too_deep)
+      return fail(result, "too-large",
+                  "the JSON nests deeper than " + std::to_string(kMaxDepth) + " levels: flatten it");
+    const std::size_t at = std::min(scout.position, bytes.size());
+    const auto line = std::count(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+    const std::string where = "near byte " + std::to_string(at);
+    if (scout.overflow)
+      return fail_at(result, static_cast<std::size_t>(line) + 1, "not-finite",
+                     "the number " + where + " is too large for a double: make it smaller");
+    const bool ended = scout.position >= bytes.size();
+    return fail_at(result, static_cast<std::size_t>(line) + 1, ended ? "truncated" : "syntax",
+                   ended ? "the JSON ends in the middle: the file is cut off"
+                         : "the JSON is not well-formed " + where + ": correct it there");
+  }
+  *json = Json::parse(bytes.begin(), bytes.end(), nullptr, /*allow_exceptions=*/false);
+  return true;
+}
+
+std::string JsonValue::describe() const {
+  switch (json_->type()) {
+    case Json::value_t::array:
+      return "an array of " + std::to_string(json_->size());
+    case Json::value_t::object:
+      return "an object";
+    case Json::value_t::string:
+      return in_quotes(*json_->get_ptr<const std::string*>());
+    case Json::value_t::null:
+      return "null";
+    case Json::value_t::boolean:
+      return *json_->get_ptr<const bool*>() ? "true" : "false";
+    default: {
+      double value = 0;
+      number(&value);
+      return format_double(value);
+    }
+  }
+}
+
+bool JsonValue::number(double* value) const {
+  if (const auto* d = json_->get_ptr<const double*>())
+    *value = *d;
+  else if (const auto* u = json_->get_ptr<const std::uint64_t*>())
+    *value = static_cast<double>(*u);
+  else if (const auto* i = json_->get_ptr<const std::int64_t*>())
+    *value = static_cast<double>(*i);
+  else if (json_->is_null())
+    *value = std::numeric_limits<double>::quiet_NaN();
+  else
+    return wrong_type("a number");
+  return true;
+}
+
+bool JsonValue::integer(std::int64_t* value) const {
+  if (const auto* u = json_->get_ptr<const std::uint64_t*>()) {
+    if (*u > static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max()))
+      return fail("too-large", "the integer does not fit in 64 bits: make it smaller");
+    *value = static_cast<std::int64_t>(*u);
+    return true;
+  }
+  if (const auto* i = json_->get_ptr<const std::int64_t*>()) {
+    *value = *i;
+    return true;
+  }
+  return wrong_type("an integer");
+}
+
+bool JsonValue::marker(std::int32_t* value) const {
+  std::int64_t wide = 0;
+  if (!integer(&wide)) return false;
+  if (wide < std::numeric_limits<std::int32_t>::min() ||
+      wide > std::numeric_limits<std::int32_t>::max())
+    return fail("too-large", "the marker does not fit in 32 bits: use a smaller one");
+  *value = static_cast<std::int32_t>(wide);
+  return true;
+}
+
+bool JsonValue::index(std::size_t count, const char* of, std::uint32_t* value) const {
+  std::int64_t wide = 0;
+  if (!integer(&wide)) return false;
+  if (wide < 0 || wide >= static_cast<std::int64_t>(count))
+    return fail("index-out-of-range", std::to_string(wide) + " is not one of the " +
+                                          std::to_string(count) + " " + of +
+                                          ", which are numbered from 0: correct it");
+  *value = static_cast<std::uint32_t>(wide);
+  return true;
+}
+
+bool JsonValue::point(int dimension, Point3* value) const {
+  if (!is_array_of(static_cast<std::size_t>(dimension)))
+    return wrong_type(dimension == 2 ? "[x, y]" : "[x, y, z]");
+  double* const coordinates[] = {&value->x, &value->y, &value->z};
+  return for_each([&](const JsonValue& v, std::size_t i) { return v.number(coordinates[i]); });
+}
+
+}  // namespace circumball::io

@@ -1,0 +1,100 @@
+#include "io/formats.h"
+#include "io/lines.h"
+#include "io/numbers.h"
+
+namespace circumball {
+namespace io {
+
+bool fail(ReadResult& result, const char* name, std::string message) {
+  if (result.defects.size() < kMaxDefects)
+    result.defects.push_back({name, {}, {}, std::move(message), false});
+  return false;
+}
+
+bool fail_at(ReadResult& result, std::size_t line, const char* name, const std::string& message) {
+  return fail(result, name, "line " + std::to_string(line) + ": " + message);
+}
+
+void warn(ReadResult& result, const char* name, std::string message) {
+  if (result.defects.size() < kMaxDefects)
+    result.defects.push_back({name, {}, {}, std::move(message), true});
+}
+
+std::string stem(const std::string& name) {
+  const std::size_t slash = name.find_last_of("/\\");
+  const std::size_t dot = name.find_last_of('.');
+  if (dot == std::string::npos || (slash != std::string::npos && dot < slash)) return name;
+  return name.substr(0, dot);
+}
+
+std::string extension_of(const std::string& name) {
+  std::string extension = name.substr(stem(name).size());
+  for (char& c : extension)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + ('a' - 'A'));
+  return extension;
+}
+
+std::string in_quotes(std::string_view token) {
+  std::string out = "\"";
+  for (char c : token.substr(0, 32)) out += c >= 0x20 && c < 0x7f && c != '"' ? c : '?';
+  return out + (token.size() > 32 ? "…\"" : "\"");
+}
+
+namespace {
+
+bool is_white(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
+
+/// Says no in the words of somebody who knows what it is, where we know.
+void refuse_unknown(std::string_view word, ReadResult& result) {
+  const std::string known =
+      "Triangle .poly, .node or .ele, OBJ, OFF, SVG, GeoJSON or the project's own JSON";
+  if (word == "ply" || word == "solid")
+    fail(result, "unknown-format",
+         "this is a " + std::string(word == "ply" ? "PLY" : "STL") +
+             " file of a surface in space, which cannot be read; give the plane as " + known);
+  else
+    fail(result, "unknown-format",
+         "the content is none of the formats that can be read: give " + known);
+}
+
+}  // namespace
+}  // namespace io
+
+ReadResult read(std::string_view bytes, const std::string& name, const Sibling& sibling) {
+  ReadResult result;
+  if (bytes.size() > io::kMaxBytes) {
+    io::fail(result, "too-large",
+             "the file has " + std::to_string(bytes.size()) + " bytes, more than the " +
+                 std::to_string(io::kMaxBytes) + " that are read: split it");
+    return result;
+  }
+  if (bytes.substr(0, 3) == "\xef\xbb\xbf") bytes.remove_prefix(3);  // byte order mark
+  std::string_view body = bytes;
+  while (!body.empty() && io::is_white(body.front())) body.remove_prefix(1);
+  if (body.empty()) {
+    io::fail(result, "empty", "the file is empty: write a complex into it");
+    return result;
+  }
+  if (bytes.find('\0') != std::string_view::npos) {
+    io::refuse_unknown("", result);
+    return result;
+  }
+  if (body.front() == '{') {
+    io::read_json(bytes, result);
+    return result;
+  }
+  io::Lines lines(bytes);
+  if (!lines.next()) {
+    io::fail(result, "empty", "the file holds comments only: write a complex into it");
+    return result;
+  }
+  const std::string_view first = lines.word();
+  if (io::number_length(first) == first.size()) {
+    io::read_triangle(bytes, name, sibling, result);
+  } else {
+    io::refuse_unknown(first, result);
+  }
+  return result;
+}
+
+}  // namespace circumball
