@@ -1,6 +1,6 @@
 // What the scripts share: where things are, running programs, and making what is out of date.
 import { spawn } from 'node:child_process';
-import { existsSync, readdirSync, statSync } from 'node:fs';
+import { existsSync, readdirSync, statSync, utimesSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
@@ -80,4 +80,6 @@ export async function buildModule() {
   console.log('Building the WebAssembly module');
   await must('cmake', ['--preset', 'wasm'], { capture: true });
   await must('cmake', ['--build', '--preset', 'wasm', '--target', 'circumball_core']);
+  const now = new Date();
+  utimesSync(module, now, now); // a source may be newer and yet change nothing
 }
