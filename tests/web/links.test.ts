@@ -1,0 +1,52 @@
+import { describe, expect, it } from 'vitest';
+import { fromHash, type Shared, toHash } from '../../web/src/link/link.ts';
+
+const shared: Shared = {
+  complex: {
+    vertices: [
+      [0.1, -0],
+      [1 / 3, 5e-324],
+      [1e6 + 1e-9, 1.7976931348623157e55],
+      [-2.2250738585072014e-45, Math.PI],
+    ],
+    segments: [
+      [0, 1],
+      [2, 3],
+    ],
+    holes: [[0.25, 0.5]],
+    regions: [{ at: [1, 2], label: 7, max: 0.125 }],
+    markers: { vertices: [1, 2, 3, 4], segments: [-5, 6] },
+  },
+  options: { algorithm: 'ruppert', minAngle: 26.5, size: '0.1 + x*x' },
+  moment: 1234,
+  view: { x: 0.1 + 0.2, y: -1e-17, scale: 512.3 },
+  color: 'quality',
+};
+
+describe('a link', () => {
+  it('restores input, options, moment and view bit for bit, minus zero included', () => {
+    const back = fromHash(toHash(shared));
+    expect(back).toEqual(shared);
+    expect(Object.is(back!.complex.vertices[0]![1], -0)).toBe(true);
+  });
+
+  it('carries only characters that mail programs leave alone', () => {
+    expect(toHash(shared)).toMatch(/^#v1=[A-Za-z0-9_-]+$/);
+  });
+
+  it('says what to do when it was cut off', () => {
+    const hash = toHash(shared);
+    expect(() => fromHash(hash.slice(0, hash.length - 20))).toThrow(/cut off/);
+    expect(() => fromHash('#v1=!!!')).toThrow(/damaged/);
+  });
+
+  it('is not seen where there is none', () => {
+    expect(fromHash('')).toBeNull();
+    expect(fromHash('#something')).toBeNull();
+  });
+
+  it('refuses a complex that is not one', () => {
+    const hash = toHash({ ...shared, complex: { ...shared.complex, vertices: [['a', 1] as never] } });
+    expect(() => fromHash(hash)).toThrow(/damaged/);
+  });
+});

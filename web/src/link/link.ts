@@ -1,0 +1,88 @@
+import type { RunOptions } from 'circumball';
+import { strFromU8, strToU8, deflateSync, inflateSync } from 'fflate';
+import { complexFromJson, complexToText } from '../core/complex-json.ts';
+import type { ColorMode, Complex2, View } from '../shared/types.ts';
+
+/** What a link restores: input, algorithm, parameters, moment and view, exactly. */
+export interface Shared {
+  readonly complex: Complex2;
+  readonly options: RunOptions;
+  readonly moment: number | null; // position in the trace; null: the input alone
+  readonly view: View | null;
+  readonly color?: ColorMode;
+}
+
+const PREFIX = '#v1=';
+/** A link may not unpack to more than this: a small hostile link must not take gigabytes. */
+const MAX_BYTES = 64 * 1024 * 1024;
+
+/** The part of the address after the page, "#v1=…": deflated JSON in URL-safe base 64. */
+export function toHash(shared: Shared): string {
+  const { options, moment, view, color } = shared;
+  const rest = JSON.stringify({ options, moment, view, color });
+  const text = `{"complex":${complexToText(shared.complex)},"rest":${rest}}`;
+  return PREFIX + toBase64(deflateSync(strToU8(text), { level: 9 }));
+}
+
+/** Null if the address carries no link; throws a sentence if it carries one that is damaged. */
+export function fromHash(hash: string): Shared | null {
+  if (!hash.startsWith(PREFIX)) return null;
+  try {
+    const packed = fromBase64(hash.slice(PREFIX.length));
+    const json = JSON.parse(strFromU8(inflateBounded(packed)));
+    const { options, moment, view, color } = json.rest ?? {};
+    if (!isComplexJson(json.complex)) throw new Error('no complex');
+    return {
+      complex: complexFromJson(json.complex),
+      options: isRecord(options) ? (options as RunOptions) : {},
+      moment: Number.isInteger(moment) && moment >= 0 ? moment : null,
+      view: isView(view) ? view : null,
+      ...(typeof color === 'string' ? { color: color as ColorMode } : {}),
+    };
+  } catch {
+    throw new Error('The link is damaged: perhaps it was cut off. Ask for it again, or for the exported input.');
+  }
+}
+
+function inflateBounded(packed: Uint8Array): Uint8Array {
+  // Deflate expands at most 1032 to 1; the output array bounds what is taken.
+  const bound = Math.min(MAX_BYTES, packed.length * 1032 + 64);
+  const text = inflateSync(packed, { out: new Uint8Array(bound) });
+  return text;
+}
+
+function isRecord(x: unknown): x is Record<string, unknown> {
+  return typeof x === 'object' && x !== null && !Array.isArray(x);
+}
+
+function isComplexJson(x: unknown): x is Parameters<typeof complexFromJson>[0] {
+  const isPoint = (p: unknown) =>
+    Array.isArray(p) && p.length >= 2 && p.every((c) => typeof c === 'number');
+  return (
+    isRecord(x) &&
+    Array.isArray(x.vertices) &&
+    x.vertices.every(isPoint) &&
+    (x.segments === undefined || (Array.isArray(x.segments) && x.segments.every(isPoint))) &&
+    (x.holes === undefined || (Array.isArray(x.holes) && x.holes.every(isPoint))) &&
+    (x.regions === undefined ||
+      (Array.isArray(x.regions) &&
+        x.regions.every((r) => isRecord(r) && isPoint(r.at) && typeof r.label === 'number')))
+  );
+}
+
+function isView(x: unknown): x is View {
+  return isRecord(x) && [x.x, x.y, x.scale].every((n) => Number.isFinite(n)) && (x.scale as number) > 0;
+}
+
+function toBase64(bytes: Uint8Array): string {
+  let text = '';
+  for (let i = 0; i < bytes.length; i += 0x8000) {
+    text += String.fromCharCode(...bytes.subarray(i, i + 0x8000));
+  }
+  return btoa(text).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
+}
+
+function fromBase64(text: string): Uint8Array {
+  const binary = atob(text.replaceAll('-', '+').replaceAll('_', '/'));
+  return Uint8Array.from(binary, (c) => c.charCodeAt(0));
+}
