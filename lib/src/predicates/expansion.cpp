@@ -16,11 +16,14 @@ int add_components(const double* e, int ne, const double* f, int nf, double* h) 
     if (j == nf || (i < ne && std::fabs(e[i]) < std::fabs(f[j]))) return e[i++];
     return f[j++];
   };
+  const int total = ne + nf;
   int n = 0;
-  double q = next();
-  for (bool first = true; i < ne || j < nf; first = false) {
-    const double c = next();
-    const TwoDoubles s = first ? fast_two_sum(c, q) : two_sum(q, c);
+  const double smallest = next();
+  const TwoDoubles start = fast_two_sum(next(), smallest);
+  if (start.low != 0) h[n++] = start.low;
+  double q = start.high;
+  for (int taken = 2; taken < total; ++taken) {
+    const TwoDoubles s = two_sum(q, next());
     if (s.low != 0) h[n++] = s.low;
     q = s.high;
   }
