@@ -23,8 +23,9 @@ bool named_ok(const std::vector<Check>& checks, const char* name) {
 int verify_command(const VerifyArguments& arguments) {
   const ReadResult input = read_input(arguments.input);
   const ReadResult mesh = read_input(arguments.mesh);
-  const bool unreadable = print_defects(input.defects) | print_defects(mesh.defects);
-  if (unreadable || print_defects(check(input.complex))) return kInvalidInput;
+  const bool bad_input = print_defects(input.defects);
+  const bool bad_mesh = print_defects(mesh.defects);
+  if (bad_input || bad_mesh || print_defects(check(input.complex))) return kInvalidInput;
   if (!mesh.mesh) {
     print_error(fmt::format("'{}' ({}) holds no mesh", arguments.mesh, mesh.format));
     return kInvalidInput;
