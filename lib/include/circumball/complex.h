@@ -25,6 +25,14 @@ struct Region {
   double max = 0;  ///< bound on area (2D) or volume (3D) of a cell; <= 0 means none
 };
 
+/// Which part of the plane is meshed.
+enum class Domain : std::uint8_t {
+  kDefault,  ///< the algorithm's own default (see AlgorithmInfo)
+  kHull,     ///< the convex hull of the vertices as given
+  kBox,      ///< a bounding box, 3 times the size of the input, is added and everything in it is meshed
+  kClosed,   ///< what closed boundaries enclose, minus holes
+};
+
 /// How a `closed` domain treats loops inside loops.
 enum class HoleRule : std::uint8_t {
   kAuto,    ///< kSeeds if the complex lists holes or regions, else kParity

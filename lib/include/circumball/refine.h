@@ -16,13 +16,6 @@
 /// Delaunay refinement of a complex by an algorithm of the registry.
 namespace circumball {
 
-enum class Domain : std::uint8_t {
-  kDefault,  ///< the algorithm's own default (see AlgorithmInfo)
-  kHull,     ///< the convex hull of the vertices as given
-  kBox,      ///< a bounding box, 3 times the size of the input, is added and everything in it is meshed
-  kClosed,   ///< what closed boundaries enclose, minus holes
-};
-
 struct Limits {
   std::uint64_t max_vertices = 10'000'000;  ///< 0: none
   double min_edge = 0;                      ///< no edge shorter than this is made; 0: none
