@@ -12,9 +12,13 @@ async function cppFiles() {
 }
 
 export async function clangFormat(check) {
-  return run('clang-format', [...(check ? ['--dry-run', '-Werror'] : ['-i']), ...(await cppFiles())], {
-    capture: true,
-  });
+  return run(
+    'clang-format',
+    [...(check ? ['--dry-run', '-Werror'] : ['-i']), ...(await cppFiles())],
+    {
+      capture: true,
+    },
+  );
 }
 
 export async function biome(check) {

@@ -14,7 +14,9 @@ const oldestNode = [20, 19];
 export function checkNode() {
   const [major, minor] = process.versions.node.split('.').map(Number);
   if (major > oldestNode[0] || (major === oldestNode[0] && minor >= oldestNode[1])) return;
-  console.error(`Node ${oldestNode.join('.')} or newer is needed; this is ${process.versions.node}.`);
+  console.error(
+    `Node ${oldestNode.join('.')} or newer is needed; this is ${process.versions.node}.`,
+  );
   process.exit(1);
 }
 
@@ -74,7 +76,14 @@ function newest(paths) {
 
 /** Builds the module of the page if its sources are newer. */
 export async function buildModule() {
-  const sources = ['CMakeLists.txt', 'CMakePresets.json', 'cmake', 'lib/include', 'lib/src', 'wasm'];
+  const sources = [
+    'CMakeLists.txt',
+    'CMakePresets.json',
+    'cmake',
+    'lib/include',
+    'lib/src',
+    'wasm',
+  ];
   const module = join(root, 'build/wasm/web/circumball-core.wasm');
   if (modified(module) > newest(sources)) return;
   console.log('Building the WebAssembly module');

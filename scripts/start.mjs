@@ -5,5 +5,10 @@ checkNode();
 await setup('build');
 await installModules();
 await buildModule();
-const { code } = await run(node, [vite, '--config', 'web/vite.config.ts', ...process.argv.slice(2)]);
+const { code } = await run(node, [
+  vite,
+  '--config',
+  'web/vite.config.ts',
+  ...process.argv.slice(2),
+]);
 process.exit(code);

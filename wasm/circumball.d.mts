@@ -101,7 +101,14 @@ export interface Report {
   input: { vertices: number; segments: number; faces: number; smallest_angle_degrees: number };
   status: 'complete' | 'limit' | 'cancelled';
   limit?: string;
-  steps: { name: string; title: string; vertices: number; inserted: number; refused: number; seconds: number }[];
+  steps: {
+    name: string;
+    title: string;
+    vertices: number;
+    inserted: number;
+    refused: number;
+    seconds: number;
+  }[];
   mesh: Record<string, number | null>;
   unresolved: { simplex: number[]; rule: string; reason: string; near: string }[];
   checks: CheckResult[];
@@ -144,7 +151,16 @@ export interface CircumballModule {
   start(
     complex: string,
     options: string,
-  ): { ok: boolean; run: number; error: string; defects: Defect[]; steps: string[]; tau: number; domain: string; algorithm: string };
+  ): {
+    ok: boolean;
+    run: number;
+    error: string;
+    defects: Defect[];
+    steps: string[];
+    tau: number;
+    domain: string;
+    algorithm: string;
+  };
   /** Up to `iterations` iterations (0: no bound), about `seconds` at most (0: no bound). */
   advance(run: number, iterations: number, seconds: number): Progress;
   cancel(run: number): Progress;
@@ -153,8 +169,14 @@ export interface CircumballModule {
   /** The report; `verify` runs the checks that the algorithm promises. */
   report(run: number, verify: boolean): Report | null;
   /** Files in the format of an extension (".ele" gives the family). */
-  write(run: number, extension: string): { ok: boolean; error: string; files: { extension: string; bytes: Uint8Array }[] };
-  writeComplex(complex: string, extension: string): { ok: boolean; error: string; files: { extension: string; bytes: Uint8Array }[] };
+  write(
+    run: number,
+    extension: string,
+  ): { ok: boolean; error: string; files: { extension: string; bytes: Uint8Array }[] };
+  writeComplex(
+    complex: string,
+    extension: string,
+  ): { ok: boolean; error: string; files: { extension: string; bytes: Uint8Array }[] };
   meshExtensions(dimension: number): string[];
   release(run: number): void;
 }

@@ -107,7 +107,11 @@ export function check(root) {
     for (const include of includesOf(path)) {
       const own = /^circumball\/\w+\.h$/.test(include.name);
       if (include.quoted ? !own : include.name.includes('/')) {
-        note(path, include, `a public header includes public headers and the standard library only`);
+        note(
+          path,
+          include,
+          `a public header includes public headers and the standard library only`,
+        );
       }
     }
   }
