@@ -2,6 +2,8 @@
 #define CIRCUMBALL_TRACE_H_
 
 #include <cstdint>
+#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -14,7 +16,7 @@ enum class EventKind : std::uint8_t {
   kStepBegan = 0,   ///< `step` begins
   kStepEnded = 1,   ///< `subject` vertices inserted, `other[0]` refusals in the step
   kQueued = 2,      ///< `simplex` became unacceptable: `reason`, witness `subject`, `value`
-  kDropped = 3,     ///< `simplex` was popped, and dropped: kDied or kAcceptable
+  kDropped = 3,     ///< `simplex` was popped, and dropped: kDied or kAcceptable. Triangles that die leave the queue without an event
   kRefused = 4,     ///< `simplex` was popped, and is not safe to split: `reason`; `at` is the refused point
   kYielded = 5,     ///< `simplex` proposed `at`, which encroaches subsegment `other` (input segment `subject`): that is queued, `simplex` goes back
   kInserted = 6,    ///< vertex `subject` inserted at `at`, splitting `simplex` (popped): died[other[0]], born[other[1]] follow in the simplex stream; `value` is the insertion radius
@@ -102,26 +104,29 @@ std::string describe(const Event& event, const std::vector<std::string>& steps);
 const char* name(EventKind kind);
 const char* name(Reason reason);
 
-/// Rebuilds the state of a run from its trace, forwards and backwards.
+/// Rebuilds the state of a run from its trace, forwards and backwards. The trace must outlive it, and come from a run
+/// or from `trace_from_bytes`. A step costs O(k log n) for k dead and born cells.
 class Replay {
  public:
   explicit Replay(const Trace& trace);
+  ~Replay();
   std::size_t position() const { return position_; }  ///< events applied
   bool forward();   ///< applies the next event; false at the end
   bool backward();  ///< takes the last one back; false at the start
   void seek(std::size_t position);
-  /// The live cells: (dimension + 2) numbers each, sorted; vertices first.
+  /// The live cells, (dimension + 2) numbers each as recorded (vertices, domain label), sorted by their vertices.
   std::vector<std::uint32_t> cells() const;
-  const std::vector<Point3>& vertices() const { return vertices_; }
+  /// The vertices inserted so far, by number.
+  const std::map<std::uint32_t, Point3>& vertices() const { return vertices_; }
 
  private:
   struct State;
+  void exchange(std::size_t out_at, std::size_t out, std::size_t in_at, std::size_t in);
   const Trace* trace_;
+  std::unique_ptr<State> state_;
   std::size_t position_ = 0;
-  std::size_t stream_ = 0;
-  std::vector<Point3> vertices_;
-  std::vector<bool> present_;
-  std::vector<std::vector<std::uint32_t>> live_;  // sorted set of live simplices
+  std::size_t stream_ = 0;  // where the next event's simplices begin
+  std::map<std::uint32_t, Point3> vertices_;
 };
 
 }  // namespace circumball

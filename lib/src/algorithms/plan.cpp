@@ -1,0 +1,43 @@
+#include "algorithms/plan.h"
+
+#include <utility>
+
+#include "algorithms/chew.h"
+#include "algorithms/ruppert.h"
+#include "algorithms/sweeps.h"
+#include "refinement/loop.h"
+
+namespace circumball {
+namespace {
+
+template <class Rules>
+std::unique_ptr<Stage> loop(std::string name, std::string title, Rules rules) {
+  return std::make_unique<Loop<Rules>>(std::move(name), std::move(title), std::move(rules));
+}
+
+}  // namespace
+
+std::vector<std::unique_ptr<Stage>> plan(const Settings& settings) {
+  std::vector<std::unique_ptr<Stage>> steps;
+  steps.push_back(insert_vertices());
+  if (settings.algorithm == "ruppert") {
+    steps.push_back(loop("1", "Split encroached segments", Conform{}));
+    steps.push_back(classify_triangles());
+    Ruppert rules;
+    rules.tau = settings.tau;
+    rules.size = settings.size;
+    steps.push_back(loop("2", "Ruppert's algorithm", rules));
+  } else if (settings.algorithm == "chew") {
+    steps.push_back(divide_segments(settings.size));
+    steps.push_back(loop("1b", "Recover segments that are no edges", Recover{}));
+    steps.push_back(classify_triangles());
+    Chew rules;
+    rules.h = settings.size;
+    steps.push_back(loop("2", "Chew's algorithm", rules));
+  } else {
+    steps.push_back(classify_triangles());
+  }
+  return steps;
+}
+
+}  // namespace circumball

@@ -1,0 +1,26 @@
+#ifndef CIRCUMBALL_ALGORITHMS_PLAN_H_
+#define CIRCUMBALL_ALGORITHMS_PLAN_H_
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "circumball/refine.h"
+#include "refinement/stage.h"
+
+namespace circumball {
+
+/// Options with every default filled in, as numbers.
+struct Settings {
+  std::string algorithm;
+  Domain domain = Domain::kHull;
+  double tau = 0;
+  double size = 0;  ///< bound on the circumradius; 0: none
+};
+
+/// The steps of an algorithm, in order: the driver is this list. Step names are the thesis' where it names them.
+std::vector<std::unique_ptr<Stage>> plan(const Settings& settings);
+
+}  // namespace circumball
+
+#endif  // CIRCUMBALL_ALGORITHMS_PLAN_H_

@@ -1,0 +1,142 @@
+#include "circumball/registry.h"
+
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+namespace circumball {
+namespace {
+
+std::vector<AlgorithmInfo> make_registry() {
+  const ParameterInfo tau{
+      "tau", "1.4145", "0.6", "1000",
+      "radius-edge threshold: circumradius over shortest edge; above sqrt 2 the end is proved. The "
+      "default is that of a smallest angle of 20.7 degrees"};
+  const ParameterInfo min_angle{
+      "min-angle", "20.7", "0.1", "56",
+      "the same threshold as the smallest angle in degrees: tau = 1 / (2 sin(angle))"};
+  const ParameterInfo size{"size", "0", "0", "1e55",
+                           "upper bound on the circumradius of every triangle; 0: none"};
+  const ParameterInfo box{"box-scale", "3", "1.5", "1000",
+                          "side of the box of the domain `box`, in sizes of the input"};
+
+  AlgorithmInfo delaunay;
+  delaunay.id = "delaunay";
+  delaunay.title = "Delaunay triangulation";
+  delaunay.thesis = "Step 0 (Definition 2.1.1)";
+  delaunay.action = "Insert the next input vertex.";
+  delaunay.priority = "Along a space-filling curve: any order gives the same triangulation.";
+  delaunay.unacceptability = "A triangle is unacceptable if its circumdisk holds an input vertex.";
+  delaunay.safety = "It is safe to insert any vertex.";
+  delaunay.parameters = {box};
+  delaunay.guarantee =
+      "The circumdisk of every triangle is empty; exactly, whatever the input. Segments are not enforced.";
+  delaunay.checks = {"topology", "delaunay", "input-vertices"};
+  delaunay.default_domain = "hull";
+
+  AlgorithmInfo ruppert;
+  ruppert.id = "ruppert";
+  ruppert.title = "Ruppert's algorithm";
+  ruppert.thesis = "Algorithm 2.3";
+  ruppert.action =
+      "If a triangle's circumcenter encroaches upon a segment, the encroached segment is added to "
+      "the queue. Otherwise, when a simplex is processed, its circumcenter is inserted.";
+  ruppert.priority = "Segments are processed before triangles.";
+  ruppert.unacceptability =
+      "A segment is unacceptable if it has a nonempty diametral disk. A triangle $t$ is "
+      "unacceptable if $\\mathrm{RE}(t) > \\tau$.";
+  ruppert.safety = "It is safe to split any simplex.";
+  ruppert.parameters = {tau, min_angle, size, box};
+  ruppert.guarantee =
+      "For input angles of at least $60^\\circ$ and $\\tau > \\sqrt 2$ it ends; the mesh conforms "
+      "to the input, $\\mathrm{RE}(t) \\le \\tau$ for every triangle, it is graded to the local "
+      "feature size, and $N(q_0) \\le \\sqrt 2\\,\\mathrm{lfs}(q_0)$ for every input vertex "
+      "(Theorems 2.2 and 2.3).";
+  ruppert.checks = {"topology", "delaunay",    "input-vertices",   "input-segments",
+                    "area",     "radius-edge", "nearest-neighbor", "size"};
+  ruppert.default_domain = "closed";
+
+  AlgorithmInfo chew;
+  chew.id = "chew";
+  chew.title = "Chew's first algorithm";
+  chew.thesis = "Algorithm 7.2";
+  chew.action = "Insert the circumcenter of a triangle.";
+  chew.priority =
+      "Triangles are prioritized by circumradius, larger circumradii are processed first.";
+  chew.unacceptability = "A triangle $t$ is unacceptable if $R_t > h$.";
+  chew.safety = "It is safe to split any simplex.";
+  chew.parameters = {
+      {"size", "0", "0", "1e55",
+       "h: segments are divided to between h and sqrt 3 h, triangles split while their circumradius "
+       "exceeds h; 0: half the smallest distance between input vertices"},
+      box};
+  chew.guarantee =
+      "It always ends. Where input vertices are at least $h$ apart, segments divide into pieces "
+      "between $h$ and $\\sqrt 3\\,h$, and these are Delaunay edges, every angle is at least "
+      "$30^\\circ$ and every circumradius at most $h$.";
+  chew.checks = {"topology", "delaunay", "input-vertices", "input-segments",
+                 "area",     "size",     "min-angle"};
+  chew.default_domain = "closed";
+
+  return {delaunay, ruppert, chew};
+}
+
+/// Numbers as numbers, all else as text.
+nlohmann::ordered_json value_of(const std::string& text) {
+  char* end = nullptr;
+  const double number = std::strtod(text.c_str(), &end);
+  if (!text.empty() && *end == '\0') return number;
+  return text;
+}
+
+}  // namespace
+
+const std::vector<AlgorithmInfo>& registry() {
+  static const std::vector<AlgorithmInfo> algorithms = make_registry();
+  return algorithms;
+}
+
+const AlgorithmInfo* find_algorithm(const std::string& id, int dimension) {
+  for (const AlgorithmInfo& info : registry()) {
+    if (info.id == id && info.dimension == dimension) return &info;
+  }
+  return nullptr;
+}
+
+std::string default_algorithm(const Complex& complex) {
+  // Below 60 degrees nothing is proved of Ruppert's algorithm; a protection comes first where there is one.
+  const char* protection = "collar";
+  if (complex.dimension == 2 && (smallest_angle_degrees(complex) >= 60 ||
+                                 find_algorithm(protection, complex.dimension) == nullptr)) {
+    return "ruppert";
+  }
+  return protection;
+}
+
+std::string registry_json() {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const AlgorithmInfo& a : registry()) {
+    nlohmann::ordered_json parameters = nlohmann::ordered_json::array();
+    for (const ParameterInfo& p : a.parameters) {
+      parameters.push_back({{"name", p.name},
+                            {"default", value_of(p.default_value)},
+                            {"min", value_of(p.min)},
+                            {"max", value_of(p.max)},
+                            {"help", p.help}});
+    }
+    list.push_back({{"id", a.id},
+                    {"title", a.title},
+                    {"dimension", a.dimension},
+                    {"thesis", a.thesis},
+                    {"rules",
+                     {{"action", a.action},
+                      {"priority", a.priority},
+                      {"unacceptability", a.unacceptability},
+                      {"safety", a.safety}}},
+                    {"parameters", parameters},
+                    {"guarantee", a.guarantee},
+                    {"checks", a.checks}});
+  }
+  return list.dump(2);
+}
+
+}  // namespace circumball

@@ -1,0 +1,324 @@
+#include "complex/live2.h"
+
+#include <algorithm>
+
+#include "circumball/predicates.h"
+
+namespace circumball {
+
+Live2::Live2(const Complex& complex, Domain domain) : complex_(&complex), domain_(domain) {
+  features_.reserve(complex.vertices.size());
+  for (std::uint32_t i = 0; i < complex.vertices.size(); ++i) {
+    add_vertex(xy(complex.vertices[i]), {FeatureKind::kVertex, i});
+  }
+  for (const Region& region : complex.regions) has_area_bounds_ |= region.max > 0;
+}
+
+VertexId Live2::add_vertex(const Point2& p, Feature feature) {
+  features_.push_back(feature);
+  return triangulation_.add_vertex(p);
+}
+
+void Live2::pop_vertex() {
+  features_.pop_back();
+  triangulation_.pop_vertex();
+}
+
+void Live2::commit(VertexId v, std::uint32_t splitting) {
+  triangulation_.commit(v, splitting);
+  if (!classified_) return;
+  for (const Delaunay2::Triangle& t : triangulation_.died()) {
+    if (t.label != kUnknown) continue;
+    for (const TriangleId u : triangulation_.born()) {
+      if (!triangulation_.is_ghost(u)) triangulation_.set_label(u, kUnknown);
+    }
+    return;
+  }
+}
+
+void Live2::create_subsegments() {
+  const auto& segments = complex_->segments;
+  subsegments_.reserve(2 * segments.size());
+  for (std::uint32_t i = 0; i < segments.size(); ++i) {
+    const SubsegmentId s(static_cast<std::uint32_t>(subsegments_.size()));
+    subsegments_.push_back({VertexId(segments[i][0]), VertexId(segments[i][1]), SegmentId(i)});
+    // Of segments given twice (a warning of `check`) the first counts.
+    const HalfEdge h = edge_of(s);
+    if (h != kNone && triangulation_.tag(h) != kNone) {
+      subsegments_.back().alive = false;
+    } else if (h != kNone) {
+      triangulation_.set_tag(h, s.value);
+    }
+  }
+}
+
+bool Live2::tag_edge(SubsegmentId s) {
+  const HalfEdge h = edge_of(s);
+  if (h == kNone) return false;
+  triangulation_.set_tag(h, s.value);
+  return true;
+}
+
+std::array<SubsegmentId, 2> Live2::split(SubsegmentId s, VertexId m) {
+  Subsegment& old = subsegments_[s.value];
+  old.alive = false;
+  const Subsegment first{old.a, m, old.segment}, second{m, old.b, old.segment};
+  const SubsegmentId left(subsegment_count()), right(subsegment_count() + 1);
+  subsegments_.push_back(first);  // `old` dangles from here on
+  subsegments_.push_back(second);
+  tag_edge(left);
+  tag_edge(right);
+  return {left, right};
+}
+
+void Live2::mark_crossed(SubsegmentId s, std::vector<std::uint8_t>* crossed) const {
+  const Delaunay2& dt = triangulation_;
+  VertexId from = subsegments_[s.value].a;
+  const VertexId to = subsegments_[s.value].b;
+  const Point2 b = dt.point(to);
+  while (from != to) {
+    const Point2 a = dt.point(from);
+    // The triangle at `from` that the subsegment enters, or the vertex that it runs into.
+    const TriangleId start = dt.triangle_of(from);
+    TriangleId t = start;
+    HalfEdge exit = kNone;
+    VertexId onto;
+    do {
+      const auto& v = dt.triangle(t).v;
+      const unsigned i = v[0] == from ? 0 : v[1] == from ? 1 : 2;
+      const VertexId p = v[(i + 1) % 3], q = v[(i + 2) % 3];
+      if (!dt.is_ghost(t)) {
+        if (p == to || q == to) return;
+        const Sign right = orient2d(a, b, dt.point(p)), left = orient2d(a, b, dt.point(q));
+        const Point2& pp = dt.point(p);
+        if (right == Sign::kZero &&
+            (pp.x - a.x) * (b.x - a.x) + (pp.y - a.y) * (b.y - a.y) > 0) {
+          onto = p;
+        } else if (right == Sign::kNegative && left == Sign::kPositive) {
+          exit = 4 * t + i;
+        }
+      }
+      t = dt.twin(4 * t + (i + 1) % 3) / 4;
+    } while (t != start && exit == kNone && !onto.valid());
+    if (onto.valid()) {
+      from = onto;
+      continue;
+    }
+    if (exit == kNone) return;
+    (*crossed)[exit / 4] = 1;
+    for (;;) {  // cross triangles until the subsegment ends, or runs into a vertex
+      const HalfEdge entry = dt.twin(exit);
+      const TriangleId next = entry / 4;
+      if (dt.is_ghost(next)) return;
+      (*crossed)[next] = 1;
+      const VertexId w = dt.apex(entry);
+      if (w == to) return;
+      const Sign side = orient2d(a, b, dt.point(w));
+      if (side == Sign::kZero) {
+        from = w;
+        break;
+      }
+      // `entry` runs from the left end of `exit` to its right end; leave between w and the end on w's other side.
+      const unsigned i = entry % 4;
+      exit = 4 * next + (side == Sign::kPositive ? (i + 1) % 3 : (i + 2) % 3);
+      const VertexId o = dt.origin(exit), d = dt.target(exit);
+      const bool separates = (orient2d(a, b, dt.point(o)) == Sign::kPositive) !=
+                             (orient2d(a, b, dt.point(d)) == Sign::kPositive);
+      if (!separates) exit = 4 * next + (side == Sign::kPositive ? (i + 2) % 3 : (i + 1) % 3);
+    }
+  }
+}
+
+void Live2::flood_levels(const std::vector<std::uint8_t>& crossed) {
+  Delaunay2& dt = triangulation_;
+  const std::uint32_t slots = dt.slot_count();
+  std::vector<std::uint32_t> level(slots, kNone);
+  std::vector<TriangleId> now, next;
+  for (TriangleId t = 0; t < slots; ++t) {
+    if (dt.alive(t) && dt.is_ghost(t)) {
+      level[t] = 0;
+      now.push_back(t);
+    }
+  }
+  const bool parity = holes_by_parity(*complex_);
+  for (std::uint32_t depth = 0; !now.empty() || !next.empty();) {
+    if (now.empty()) {
+      ++depth;
+      for (const TriangleId t : next) {
+        if (level[t] == kNone) {
+          level[t] = depth;
+          now.push_back(t);
+        }
+      }
+      next.clear();
+      continue;
+    }
+    const TriangleId t = now.back();
+    now.pop_back();
+    for (unsigned i = 0; i < 3; ++i) {
+      const HalfEdge h = 4 * t + i;
+      const TriangleId u = dt.twin(h) / 4;
+      if (level[u] != kNone || crossed[u]) continue;
+      if (dt.tag(h) != kNone) {
+        next.push_back(u);
+      } else {
+        level[u] = depth;
+        now.push_back(u);
+      }
+    }
+  }
+  for (TriangleId t = 0; t < slots; ++t) {
+    if (!dt.alive(t) || crossed[t]) continue;
+    const bool inside = level[t] != kNone && (parity ? level[t] % 2 == 1 : level[t] >= 1);
+    dt.set_label(t, inside ? kInside : kOutside);
+  }
+}
+
+void Live2::classify() {
+  Delaunay2& dt = triangulation_;
+  const std::uint32_t slots = dt.slot_count();
+  std::vector<std::uint8_t> crossed(slots, 0);
+  if (domain_ == Domain::kClosed) {
+    for (std::uint32_t i = 0; i < subsegment_count(); ++i) {
+      const SubsegmentId s(i);
+      if (subsegment(s).alive && edge_of(s) == kNone) mark_crossed(s, &crossed);
+    }
+    flood_levels(crossed);
+  } else {
+    for (TriangleId t = 0; t < slots; ++t) {
+      if (dt.alive(t)) dt.set_label(t, dt.is_ghost(t) ? kOutside : kInside);
+    }
+  }
+  const auto flood = [&](const Point3& seed, std::uint32_t label) {
+    if (dt.dimension() < 2) return;
+    const TriangleId start = dt.locate(xy(seed), kNone);
+    if (start == kNone || dt.triangle(start).label != kInside) return;
+    dt.set_label(start, label);
+    stack_.assign(1, start);
+    while (!stack_.empty()) {
+      const TriangleId t = stack_.back();
+      stack_.pop_back();
+      for (unsigned i = 0; i < 3; ++i) {
+        const HalfEdge h = 4 * t + i;
+        const TriangleId u = dt.twin(h) / 4;
+        if (dt.tag(h) != kNone || dt.triangle(u).label != kInside) continue;
+        dt.set_label(u, label);
+        stack_.push_back(u);
+      }
+    }
+  };
+  if (domain_ == Domain::kClosed) {
+    for (const Point3& hole : complex_->holes) flood(hole, kOutside);
+  }
+  for (std::uint32_t i = 0; i < complex_->regions.size(); ++i) {
+    flood(complex_->regions[i].at, kFirstRegion + i);
+  }
+  for (TriangleId t = 0; t < slots; ++t) {  // those that a missing subsegment crosses
+    if (!crossed[t] || !dt.alive(t)) continue;
+    std::uint32_t label = kOutside;
+    for (unsigned i = 0; i < 3 && label == kOutside; ++i) {
+      const TriangleId u = dt.twin(4 * t + i) / 4;
+      if (!crossed[u]) label = dt.triangle(u).label;
+    }
+    dt.set_label(t, label);
+  }
+  classified_ = true;
+}
+
+bool Live2::in_domain(TriangleId t, std::vector<TriangleId>* relabeled) {
+  Delaunay2& dt = triangulation_;
+  if (dt.is_ghost(t)) return false;
+  if (!classified_ || (domain_ != Domain::kClosed && complex_->regions.empty())) return true;
+  if (dt.triangle(t).label != kUnknown) return dt.triangle(t).label != kOutside;
+  // Flood the triangles that lost their label until one is met that has it: they are one piece of the domain.
+  std::uint32_t label = kUnknown;
+  std::vector<TriangleId> piece{t};
+  dt.set_label(t, kVisited);
+  for (std::size_t next = 0; next < piece.size(); ++next) {
+    for (unsigned i = 0; i < 3; ++i) {
+      const HalfEdge h = 4 * piece[next] + i;
+      if (dt.tag(h) != kNone) continue;
+      const TriangleId u = dt.twin(h) / 4;
+      const std::uint32_t other = dt.triangle(u).label;
+      if (dt.is_ghost(u)) {
+        if (domain_ == Domain::kClosed) label = kOutside;
+      } else if (other == kUnknown) {
+        dt.set_label(u, kVisited);
+        piece.push_back(u);
+      } else if (other != kVisited) {
+        label = other;
+      }
+    }
+    if (label != kUnknown) break;
+  }
+  if (label == kUnknown) {
+    // A piece with no labelled triangle in it: count levels again from outside.
+    classify();
+    label = dt.triangle(t).label;
+  } else {
+    for (const TriangleId u : piece) dt.set_label(u, label);
+  }
+  if (relabeled) *relabeled = piece;
+  return label != kOutside;
+}
+
+std::size_t Live2::bytes() const {
+  return triangulation_.bytes() + features_.capacity() * sizeof(Feature) +
+         subsegments_.capacity() * sizeof(Subsegment);
+}
+
+Complex with_box(const Complex& complex, double scale) {
+  Complex boxed = complex;
+  Point3 low, high;
+  if (!complex.vertices.empty()) low = high = complex.vertices[0];
+  for (const Point3& p : complex.vertices) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), 0};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), 0};
+  }
+  double extent = std::max(high.x - low.x, high.y - low.y);
+  if (extent == 0) extent = 1;  // a single vertex: any box will do
+  const double half = 0.5 * scale * extent;
+  const Point2 center{0.5 * (low.x + high.x), 0.5 * (low.y + high.y)};
+  const auto first = static_cast<std::uint32_t>(boxed.vertices.size());
+  const double x0 = center.x - half, x1 = center.x + half;
+  const double y0 = center.y - half, y1 = center.y + half;
+  boxed.vertices.insert(boxed.vertices.end(), {{x0, y0, 0}, {x1, y0, 0}, {x1, y1, 0}, {x0, y1, 0}});
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    boxed.segments.push_back({first + i, first + (i + 1) % 4});
+  }
+  if (!boxed.vertex_markers.empty()) boxed.vertex_markers.resize(boxed.vertices.size(), 0);
+  if (!boxed.segment_markers.empty()) boxed.segment_markers.resize(boxed.segments.size(), 0);
+  if (boxed.attributes_per_vertex > 0) {
+    boxed.vertex_attributes.resize(boxed.vertices.size() * boxed.attributes_per_vertex, 0);
+  }
+  return boxed;
+}
+
+bool encloses_something(const Complex& complex) {
+  // A graph without a cycle is a forest: joining the ends of a segment that are joined already closes a loop.
+  std::vector<std::uint32_t> parent(complex.vertices.size());
+  for (std::uint32_t i = 0; i < parent.size(); ++i) parent[i] = i;
+  const auto root = [&](std::uint32_t v) {
+    while (parent[v] != v) v = parent[v] = parent[parent[v]];
+    return v;
+  };
+  auto segments = complex.segments;
+  for (auto& s : segments) {
+    if (s[0] > s[1]) std::swap(s[0], s[1]);
+  }
+  std::sort(segments.begin(), segments.end());
+  segments.erase(std::unique(segments.begin(), segments.end()), segments.end());
+  for (const auto& s : segments) {
+    const std::uint32_t a = root(s[0]), b = root(s[1]);
+    if (a == b) return true;
+    parent[a] = b;
+  }
+  return false;
+}
+
+bool holes_by_parity(const Complex& complex) {
+  if (complex.hole_rule == HoleRule::kAuto) return complex.holes.empty() && complex.regions.empty();
+  return complex.hole_rule == HoleRule::kParity;
+}
+
+}  // namespace circumball

@@ -1,0 +1,118 @@
+#ifndef CIRCUMBALL_COMPLEX_LIVE2_H_
+#define CIRCUMBALL_COMPLEX_LIVE2_H_
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "circumball/mesh.h"
+#include "circumball/complex.h"
+#include "delaunay/delaunay2.h"
+
+namespace circumball {
+
+/// A subsegment: its slot in Live2 is its identity, and the tag of its edge. Splitting ends it and makes two new ones.
+using SubsegmentId = Id<struct SubsegmentTag>;
+
+struct Subsegment {
+  VertexId a, b;
+  SegmentId segment;    ///< the input segment (of the complex with its box) that it lies on
+  bool alive = true;
+  bool frozen = false;  ///< it was refused for good: nothing yields to it any more
+};
+
+/// What a triangle's label says. Regions get kFirstRegion + their index.
+enum DomainLabel : std::uint32_t {
+  kUnknown = 0,  ///< not known yet, or lost when a cavity swallowed a subsegment
+  kInside = 1,
+  kOutside = 2,
+  kFirstRegion = 3,
+  kVisited = 0xfffffff0,  ///< during a local flood only
+};
+
+/// The live refinement C' = (P', S') of a 2D complex (thesis, Definition 2.1.3): the Delaunay triangulation of all its
+/// vertices, its subsegments, and which triangles belong to the domain.
+class Live2 {
+ public:
+  /// `complex` must be valid (see `check`) and outlive this. Nothing is inserted yet.
+  Live2(const Complex& complex, Domain domain);
+
+  const Complex& complex() const { return *complex_; }
+  Domain domain() const { return domain_; }
+  Delaunay2& triangulation() { return triangulation_; }
+  const Delaunay2& triangulation() const { return triangulation_; }
+
+  // --- vertices: each knows its feature from its birth
+  const Feature& feature(VertexId v) const { return features_[v.value]; }
+  /// Appends a vertex (not inserted) with the smallest feature it lies on.
+  VertexId add_vertex(const Point2& p, Feature feature);
+  void pop_vertex();
+
+  /// Inserts v into the cavity just probed, splitting the subsegment whose tag is `splitting`. Where the cavity swallowed
+  /// a subsegment, or held triangles that have no label, the new triangles have none either.
+  void commit(VertexId v, std::uint32_t splitting);
+
+  // --- subsegments
+  std::uint32_t subsegment_count() const { return static_cast<std::uint32_t>(subsegments_.size()); }
+  const Subsegment& subsegment(SubsegmentId s) const { return subsegments_[s.value]; }
+  void freeze(SubsegmentId s) { subsegments_[s.value].frozen = true; }
+  /// The half-edge from a to b, or kNone where the subsegment is not an edge of the triangulation.
+  HalfEdge edge_of(SubsegmentId s) const {
+    const Subsegment& u = subsegments_[s.value];
+    return triangulation_.find_edge(u.a, u.b);
+  }
+  /// Makes a subsegment of every input segment; tags those that are edges. After the vertices are in.
+  void create_subsegments();
+  /// Tags its edge, where there is one. Returns whether there is.
+  bool tag_edge(SubsegmentId s);
+  /// Ends s; makes (a, m) and (m, b). m is inserted already.
+  std::array<SubsegmentId, 2> split(SubsegmentId s, VertexId m);
+
+  // --- domain
+  /// Labels every triangle by flooding from outside across untagged edges (levels: see HoleRule). Triangles that a
+  /// missing subsegment crosses are not flooded through; they belong to the domain if a neighbor does.
+  void classify();
+  bool classified() const { return classified_; }
+  /// Whether t is in the domain. Finds a lost label again by a local flood; appends the triangles that got one to
+  /// `relabeled`, if given.
+  bool in_domain(TriangleId t, std::vector<TriangleId>* relabeled = nullptr);
+  /// As it stands, without repair: kUnknown counts as inside.
+  bool maybe_in_domain(TriangleId t) const {
+    return !triangulation_.is_ghost(t) && triangulation_.triangle(t).label != kOutside;
+  }
+  /// Area bound of the region that t is in; 0 where there is none.
+  double area_bound(TriangleId t) const {
+    const std::uint32_t label = triangulation_.triangle(t).label;
+    return label >= kFirstRegion ? complex_->regions[label - kFirstRegion].max : 0;
+  }
+  bool has_area_bounds() const { return has_area_bounds_; }
+
+  std::size_t bytes() const;
+
+ private:
+  void flood_levels(const std::vector<std::uint8_t>& crossed);
+  void mark_crossed(SubsegmentId s, std::vector<std::uint8_t>* crossed) const;
+
+  const Complex* complex_;
+  Domain domain_;
+  Delaunay2 triangulation_;
+  std::vector<Feature> features_;
+  std::vector<Subsegment> subsegments_;
+  bool classified_ = false;
+  bool has_area_bounds_ = false;
+  std::vector<TriangleId> stack_;  // scratch of the local flood
+};
+
+/// The complex with a square box of four segments around it, `scale` times the larger extent of the input and centred on
+/// it; its vertices and segments come last.
+Complex with_box(const Complex& complex, double scale);
+
+/// Whether some segments form a closed loop.
+bool encloses_something(const Complex& complex);
+
+/// Whether loops inside loops are holes by nesting (HoleRule::kAuto resolved).
+bool holes_by_parity(const Complex& complex);
+
+}  // namespace circumball
+
+#endif  // CIRCUMBALL_COMPLEX_LIVE2_H_

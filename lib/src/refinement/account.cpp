@@ -1,0 +1,39 @@
+#include "refinement/account.h"
+
+namespace circumball {
+namespace {
+
+Unresolved account(const Live2& live, std::vector<std::uint32_t> simplex, Reason rule,
+                   Reason refusal, const std::string& stop) {
+  Unresolved u;
+  u.rule = name(rule);
+  u.reason = refusal == Reason::kNone ? stop : name(refusal);
+  for (const std::uint32_t v : simplex) {
+    const Feature& f = live.feature(VertexId(v));
+    if (f.kind == FeatureKind::kVertex) {
+      u.near = "input vertex " + std::to_string(f.index);
+      break;
+    }
+    if (f.kind == FeatureKind::kSegment && u.near.empty()) {
+      u.near = "input segment " + std::to_string(f.index);
+    }
+  }
+  u.simplex = std::move(simplex);
+  return u;
+}
+
+}  // namespace
+
+Unresolved account_for(const Live2& live, SubsegmentId s, Reason rule, Reason refusal,
+                       const std::string& stop) {
+  const Subsegment& u = live.subsegment(s);
+  return account(live, {u.a.value, u.b.value}, rule, refusal, stop);
+}
+
+Unresolved account_for(const Live2& live, TriangleRef t, Reason rule, Reason refusal,
+                       const std::string& stop) {
+  const auto& v = live.triangulation().triangle(t.id).v;
+  return account(live, {v[0].value, v[1].value, v[2].value}, rule, refusal, stop);
+}
+
+}  // namespace circumball

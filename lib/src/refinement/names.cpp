@@ -1,0 +1,91 @@
+#include "circumball/trace.h"
+
+namespace circumball {
+
+const char* name(EventKind kind) {
+  switch (kind) {
+    case EventKind::kStepBegan:
+      return "step-began";
+    case EventKind::kStepEnded:
+      return "step-ended";
+    case EventKind::kQueued:
+      return "queued";
+    case EventKind::kDropped:
+      return "dropped";
+    case EventKind::kRefused:
+      return "refused";
+    case EventKind::kYielded:
+      return "yielded";
+    case EventKind::kInserted:
+      return "inserted";
+    case EventKind::kRelabeled:
+      return "relabeled";
+    case EventKind::kLimit:
+      return "limit";
+  }
+  return "unknown";
+}
+
+const char* name(Reason reason) {
+  switch (reason) {
+    case Reason::kNone:
+      return "none";
+    case Reason::kEncroached:
+      return "encroached";
+    case Reason::kMissing:
+      return "missing";
+    case Reason::kRadiusEdge:
+      return "radius-edge";
+    case Reason::kSize:
+      return "size";
+    case Reason::kRegionSize:
+      return "region-size";
+    case Reason::kTooLong:
+      return "too-long";
+    case Reason::kYieldedTo:
+      return "yielded-to";
+    case Reason::kReturned:
+      return "returned";
+    case Reason::kInput:
+      return "input";
+    case Reason::kBox:
+      return "box";
+    case Reason::kMidpoint:
+      return "midpoint";
+    case Reason::kCircumcenter:
+      return "circumcenter";
+    case Reason::kOffCenter:
+      return "off-center";
+    case Reason::kDivision:
+      return "division";
+    case Reason::kOutsideDomain:
+      return "outside-domain";
+    case Reason::kProtected:
+      return "protected";
+    case Reason::kMinEdge:
+      return "min-edge";
+    case Reason::kPrecision:
+      return "precision";
+    case Reason::kFrozen:
+      return "frozen";
+    case Reason::kDied:
+      return "died";
+    case Reason::kAcceptable:
+      return "acceptable";
+    case Reason::kLimitVertices:
+      return "limit-vertices";
+    case Reason::kLimitMinEdge:
+      return "limit-min-edge";
+    case Reason::kLimitSeconds:
+      return "limit-seconds";
+    case Reason::kLimitPrecision:
+      return "limit-precision";
+    case Reason::kLimitMemory:
+      return "limit-memory";
+    case Reason::kCancelled:
+      return "cancelled";
+  }
+  return "unknown";
+}
+
+}  // namespace circumball

@@ -1,0 +1,58 @@
+#include "refinement/recorder.h"
+
+namespace circumball {
+namespace {
+
+/// Regions are inside, too.
+std::uint32_t traced(std::uint32_t label) {
+  return label >= kFirstRegion && label != kVisited ? kInside : label;
+}
+
+}  // namespace
+
+bool Recorder::append(const Delaunay2::Triangle& t, std::uint32_t label) {
+  for (const VertexId v : t.v) {
+    if (v == Delaunay2::kGhost) return false;
+  }
+  for (const VertexId v : t.v) stream_.push_back(v.value);
+  stream_.push_back(traced(label));
+  return true;
+}
+
+void Recorder::inserted(Event e, VertexId v, double insertion_radius) {
+  if (!sink_) return;
+  const Delaunay2& dt = live_.triangulation();
+  e.subject = v.value;
+  place(dt.point(v), &e);
+  e.value = insertion_radius;
+  stream_.clear();
+  std::uint32_t died = 0, born = 0;
+  for (const Delaunay2::Triangle& t : dt.died()) died += append(t, t.label);
+  for (const TriangleId t : dt.born()) born += append(dt.triangle(t), dt.triangle(t).label);
+  e.other[0] = died;
+  e.other[1] = born;
+  sink_->event(e, stream_.data(), stream_.size());
+}
+
+void Recorder::relabeled(const std::vector<TriangleId>& triangles, std::uint32_t old_label) {
+  if (!sink_ || triangles.empty()) return;
+  const Delaunay2& dt = live_.triangulation();
+  Event e = blank(EventKind::kRelabeled);
+  stream_.clear();
+  for (const TriangleId t : triangles) append(dt.triangle(t), old_label);
+  for (const TriangleId t : triangles) append(dt.triangle(t), dt.triangle(t).label);
+  e.other[0] = e.other[1] = static_cast<std::uint32_t>(stream_.size() / 8);
+  sink_->event(e, stream_.data(), stream_.size());
+}
+
+void Recorder::classified() {
+  if (!sink_) return;
+  const Delaunay2& dt = live_.triangulation();
+  std::vector<TriangleId> triangles;
+  for (TriangleId t = 0; t < dt.slot_count(); ++t) {
+    if (dt.alive(t) && !dt.is_ghost(t)) triangles.push_back(t);
+  }
+  relabeled(triangles, kUnknown);
+}
+
+}  // namespace circumball

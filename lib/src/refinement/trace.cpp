@@ -1,0 +1,238 @@
+#include "circumball/trace.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+namespace circumball {
+namespace {
+
+constexpr char kMagic[] = "circumball-trace 1\n";
+constexpr std::size_t kMagicSize = sizeof(kMagic) - 1;
+
+// Events and numbers are written as they lie in memory: every platform that we build for is little-endian.
+template <class T>
+void append(const T* data, std::size_t count, std::string* bytes) {
+  bytes->append(reinterpret_cast<const char*>(data), count * sizeof(T));
+}
+
+template <class T>
+bool take(const std::string& bytes, std::size_t* at, std::uint64_t count, T* out) {
+  if (count > (bytes.size() - *at) / sizeof(T)) return false;
+  if (count > 0) std::memcpy(out, bytes.data() + *at, count * sizeof(T));
+  *at += count * sizeof(T);
+  return true;
+}
+
+/// How many vertices a simplex of an event has.
+unsigned corners(const Event& e) { return e.dimension == 0 ? 0 : e.dimension + 1u; }
+
+std::string list_of(const Event& e) {
+  std::string text;
+  for (unsigned i = 0; i < corners(e); ++i) {
+    if (i) text += i + 1 == corners(e) ? " and " : ", ";
+    text += std::to_string(e.simplex[i]);
+  }
+  return text;
+}
+
+std::string simplex_words(const Event& e) {
+  switch (e.dimension) {
+    case 1:
+      return "The piece of segment " + std::to_string(e.simplex[3]) + " between vertices " +
+             list_of(e);
+    case 2:
+      return "The triangle of vertices " + list_of(e);
+    default:
+      return "The tetrahedron of vertices " + list_of(e);
+  }
+}
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+std::string why_queued(const Event& e) {
+  const std::string witness = std::to_string(e.subject);
+  switch (e.reason) {
+    case Reason::kEncroached:
+      return " is unacceptable: vertex " + witness + " lies inside its diametral " +
+             (e.dimension == 1 ? "disk" : "ball") + ".";
+    case Reason::kMissing:
+      return " is unacceptable: it is not an edge of the Delaunay triangulation.";
+    case Reason::kRadiusEdge:
+      return " is unacceptable: its radius-edge ratio is " + number(e.value) +
+             ", more than the threshold.";
+    case Reason::kSize:
+      return " is unacceptable: its circumradius is " + number(e.value) + ", more than its bound.";
+    case Reason::kRegionSize:
+      return " is unacceptable: its area is " + number(e.value) +
+             ", more than the bound of its region.";
+    case Reason::kTooLong:
+      return " is unacceptable: it is too long.";
+    case Reason::kYieldedTo:
+      return " is queued: a circumcenter yields to it.";
+    case Reason::kReturned:
+      return " goes back to the queue and waits for that split.";
+    default:
+      return std::string(" is queued: ") + name(e.reason) + ".";
+  }
+}
+
+std::string why_refused(Reason reason) {
+  switch (reason) {
+    case Reason::kOutsideDomain:
+      return "its circumcenter lies outside the domain";
+    case Reason::kProtected:
+      return "only protected simplices are in its way";
+    case Reason::kMinEdge:
+      return "that would make an edge shorter than the shortest allowed";
+    case Reason::kPrecision:
+      return "the new vertex would coincide with another one in double precision";
+    case Reason::kFrozen:
+      return "its circumcenter would yield to a piece of a segment that is not split any more";
+    default:
+      return name(reason);
+  }
+}
+
+}  // namespace
+
+void Trace::event(const Event& e, const std::uint32_t* data, std::size_t count) {
+  events.push_back(e);
+  simplices.insert(simplices.end(), data, data + count);
+}
+
+std::string to_bytes(const Trace& trace) {
+  std::string bytes(kMagic, kMagicSize);
+  const std::uint64_t head[4] = {static_cast<std::uint64_t>(trace.dimension), trace.steps.size(),
+                                 trace.events.size(), trace.simplices.size()};
+  append(head, 4, &bytes);
+  for (const std::string& step : trace.steps) {
+    const std::uint64_t size = step.size();
+    append(&size, 1, &bytes);
+    bytes += step;
+  }
+  append(trace.events.data(), trace.events.size(), &bytes);
+  append(trace.simplices.data(), trace.simplices.size(), &bytes);
+  return bytes;
+}
+
+bool trace_from_bytes(const std::string& bytes, Trace* trace, std::string* error) {
+  *trace = Trace();
+  *error = "this is not a trace of circumball, version 1";
+  if (bytes.compare(0, kMagicSize, kMagic) != 0) return false;
+  std::size_t at = kMagicSize;
+  std::uint64_t head[4];
+  *error = "the trace ends early";
+  if (!take(bytes, &at, 4, head) || (head[0] != 2 && head[0] != 3)) return false;
+  trace->dimension = static_cast<int>(head[0]);
+  for (std::uint64_t i = 0; i < head[1]; ++i) {
+    std::uint64_t size;
+    if (!take(bytes, &at, 1, &size) || size > bytes.size() - at) return false;
+    trace->steps.push_back(bytes.substr(at, size));
+    at += size;
+  }
+  // Counts are held against the bytes that there are before memory is taken.
+  const std::uint64_t rest = bytes.size() - at;
+  if (head[2] > rest / sizeof(Event) ||
+      head[3] > (rest - head[2] * sizeof(Event)) / sizeof(std::uint32_t)) {
+    return false;
+  }
+  trace->events.resize(head[2]);
+  trace->simplices.resize(head[3]);
+  take(bytes, &at, head[2], trace->events.data());
+  take(bytes, &at, head[3], trace->simplices.data());
+  // What a replay relies on: counts of simplices that the stream has.
+  std::uint64_t used = 0;
+  const std::uint64_t stride = head[0] + 2;
+  for (const Event& e : trace->events) {
+    if (e.kind != EventKind::kInserted && e.kind != EventKind::kRelabeled) continue;
+    used += (std::uint64_t{e.other[0]} + e.other[1]) * stride;
+    if (used > head[3]) return false;
+  }
+  error->clear();
+  return true;
+}
+
+std::string to_jsonl(const Trace& trace) {
+  std::string text;
+  std::size_t at = 0;
+  const std::size_t stride = static_cast<std::size_t>(trace.dimension) + 2;
+  for (const Event& e : trace.events) {
+    nlohmann::ordered_json line = {{"event", name(e.kind)},
+                                   {"step", e.step < trace.steps.size() ? trace.steps[e.step] : ""}};
+    if (e.reason != Reason::kNone) line["reason"] = name(e.reason);
+    if (corners(e) > 0) {
+      line["simplex"] = std::vector<std::uint32_t>(e.simplex, e.simplex + corners(e));
+      if (e.dimension == 1) line["segment"] = e.simplex[3];
+    }
+    if (e.kind == EventKind::kInserted) line["vertex"] = e.subject;
+    if (e.kind == EventKind::kQueued && e.subject != kNoIndex) line["witness"] = e.subject;
+    if (e.kind == EventKind::kYielded) {
+      line["to"] = {e.other[0], e.other[1]};
+      line["segment"] = e.subject;
+    }
+    if (e.kind == EventKind::kInserted || e.kind == EventKind::kRefused ||
+        e.kind == EventKind::kYielded) {
+      line["at"] = std::vector<double>(e.at, e.at + trace.dimension);
+    }
+    if (e.value != 0) line["value"] = e.value;
+    if (e.kind == EventKind::kInserted || e.kind == EventKind::kRelabeled) {
+      const auto simplices = [&](std::uint32_t count) {
+        nlohmann::ordered_json list = nlohmann::ordered_json::array();
+        for (std::uint32_t i = 0; i < count; ++i, at += stride) {
+          list.push_back(std::vector<std::uint32_t>(
+              trace.simplices.begin() + static_cast<std::ptrdiff_t>(at),
+              trace.simplices.begin() + static_cast<std::ptrdiff_t>(at + stride - 1)));
+        }
+        return list;
+      };
+      line["died"] = simplices(e.other[0]);
+      line["born"] = simplices(e.other[1]);
+    }
+    text += line.dump();
+    text += '\n';
+  }
+  return text;
+}
+
+std::string describe(const Event& e, const std::vector<std::string>& steps) {
+  const std::string step = e.step < steps.size() ? steps[e.step] : "?";
+  switch (e.kind) {
+    case EventKind::kStepBegan:
+      return "Step " + step + " begins.";
+    case EventKind::kStepEnded:
+      return "Step " + step + " ends: " + std::to_string(e.subject) + " vertices inserted, " +
+             std::to_string(e.other[0]) + " simplices refused.";
+    case EventKind::kQueued:
+      return simplex_words(e) + why_queued(e);
+    case EventKind::kDropped:
+      return simplex_words(e) + " is dropped: it " +
+             (e.reason == Reason::kDied ? "has died." : "is acceptable.");
+    case EventKind::kRefused:
+      return simplex_words(e) + " is not split: " + why_refused(e.reason) + ".";
+    case EventKind::kYielded:
+      return simplex_words(e) + " yields: its circumcenter encroaches upon the piece of segment " +
+             std::to_string(e.subject) + " between vertices " + std::to_string(e.other[0]) +
+             " and " + std::to_string(e.other[1]) + ", which is queued instead.";
+    case EventKind::kInserted: {
+      const std::string vertex = "Vertex " + std::to_string(e.subject);
+      if (e.dimension == 0) return vertex + " of the input is inserted.";
+      std::string split = simplex_words(e);
+      split[0] = 't';
+      return vertex + " is inserted at the " + name(e.reason) + " of " + split +
+             ", at distance " + number(e.value) + " from its nearest neighbor.";
+    }
+    case EventKind::kRelabeled:
+      return "The triangles are told apart: inside and outside of the domain.";
+    case EventKind::kLimit:
+      return std::string("The run stops: ") + name(e.reason) + ".";
+  }
+  return "";
+}
+
+}  // namespace circumball

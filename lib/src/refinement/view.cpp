@@ -1,0 +1,53 @@
+#include "refinement/view.h"
+
+#include <cmath>
+
+namespace circumball {
+
+Outlook View::look(Point2& c, TriangleRef t) {
+  encroached_.clear();
+  if (!std::isfinite(c.x) || !std::isfinite(c.y)) return Outlook::kCoincides;
+  if (dt_.probe(c, t.id) == Delaunay2::Probe::kDuplicate) return Outlook::kCoincides;
+  if (!cavity_holds(t.id)) {
+    // Rounding threw the circumcentre of a needle out of its own circumdisk: compute it with more digits.
+    const auto& v = dt_.triangle(t.id).v;
+    c = circumcenter_extended(dt_.point(v[0]), dt_.point(v[1]), dt_.point(v[2]));
+    if (!std::isfinite(c.x) || !std::isfinite(c.y)) return Outlook::kCoincides;
+    if (dt_.probe(c, t.id) == Delaunay2::Probe::kDuplicate) return Outlook::kCoincides;
+    if (!cavity_holds(t.id)) return Outlook::kCoincides;
+  }
+  // An edge whose open diametral disk holds c lies inside the cavity of c or on its boundary.
+  for (const HalfEdge h : dt_.cavity_boundary()) {
+    const std::uint32_t tag = dt_.tag(h);
+    if (tag == kNone) continue;
+    if (in_diametral_ball(dt_.point(dt_.origin(h)), dt_.point(dt_.target(h)), c) ==
+        Sign::kPositive) {
+      encroached_.push_back(SubsegmentId(tag));
+    }
+  }
+  for (const HalfEdge h : dt_.cavity_tagged_inside()) {
+    encroached_.push_back(SubsegmentId(dt_.tag(h)));
+  }
+  if (!encroached_.empty()) return Outlook::kEncroaches;
+  // The first triangle of a cavity is the one that holds the point.
+  return live_.in_domain(dt_.cavity()[0]) ? Outlook::kFree : Outlook::kOutside;
+}
+
+Outlook View::look_at_midpoint(const Point2& m, SubsegmentId s) {
+  encroached_.clear();
+  const HalfEdge h = live_.edge_of(s);
+  const TriangleId start = h != kNone ? h / 4 : dt_.triangle_of(live_.subsegment(s).a);
+  const bool duplicate = dt_.probe(m, start) == Delaunay2::Probe::kDuplicate;
+  return duplicate ? Outlook::kCoincides : Outlook::kFree;
+}
+
+double View::insertion_radius(const Point2& p) const {
+  double nearest2 = HUGE_VAL;
+  for (const HalfEdge h : dt_.cavity_boundary()) {
+    const VertexId v = dt_.origin(h);
+    if (v != Delaunay2::kGhost) nearest2 = std::min(nearest2, squared_distance(dt_.point(v), p));
+  }
+  return std::sqrt(nearest2);
+}
+
+}  // namespace circumball

@@ -1,0 +1,145 @@
+#ifndef CIRCUMBALL_REFINEMENT_VIEW_H_
+#define CIRCUMBALL_REFINEMENT_VIEW_H_
+
+#include <algorithm>
+#include <vector>
+
+#include "circumball/predicates.h"
+#include "circumball/trace.h"
+#include "complex/live2.h"
+#include "delaunay/constructions.h"
+
+/// What a rule may see, and say. Rules are pure queries over the local Delaunay triangulation; only the loop inserts,
+/// queues and records.
+namespace circumball {
+
+/// A triangle as the queue knows it: slots are reused, births are not.
+struct TriangleRef {
+  TriangleId id = kNone;
+  std::uint32_t birth = 0;
+};
+
+/// The answer of an Unacceptability or Safety rule: a reason (kNone: acceptable, safe), its witness, a measure.
+struct Verdict {
+  Reason reason = Reason::kNone;
+  VertexId witness;
+  double value = 0;
+  explicit operator bool() const { return reason != Reason::kNone; }
+};
+
+/// The answer of an Action rule.
+struct Proposal {
+  enum Kind : std::uint8_t { kInsert, kYield, kRefuse } kind = kRefuse;
+  Reason reason = Reason::kNone;
+  Point2 at;
+};
+inline Proposal insert(const Point2& at, Reason why) { return {Proposal::kInsert, why, at}; }
+/// Queue the subsegments that `at` encroaches (View::encroached) instead.
+inline Proposal yield_to_encroached(const Point2& at) {
+  return {Proposal::kYield, Reason::kYieldedTo, at};
+}
+inline Proposal refuse(const Point2& at, Reason why) { return {Proposal::kRefuse, why, at}; }
+
+/// What is around a point that is not inserted yet.
+enum class Outlook : std::uint8_t {
+  kFree,        ///< inside the domain, in no diametral disk
+  kEncroaches,  ///< in the open diametral disk of the subsegments in View::encroached
+  kOutside,     ///< outside the domain
+  kCoincides,   ///< at a vertex, in double precision
+};
+
+class View {
+ public:
+  /// `measuring`: whether somebody wants to know the measures behind the verdicts.
+  View(Live2& live, bool measuring)
+      : live_(live), dt_(live.triangulation()), measuring_(measuring) {}
+
+  // --- subsegments
+  bool alive(SubsegmentId s) const { return live_.subsegment(s).alive; }
+  const Subsegment& subsegment(SubsegmentId s) const { return live_.subsegment(s); }
+  Point2 midpoint(SubsegmentId s) const {
+    const Subsegment& u = live_.subsegment(s);
+    return circumball::midpoint(dt_.point(u.a), dt_.point(u.b));
+  }
+
+  /// Whether the open diametral disk of s holds a vertex (Algorithm 2.3), exactly; or s is not an edge of the
+  /// triangulation, although the open disk is empty: vertices on its circle took the edge by a tie. If some vertex is
+  /// inside the disk of an edge, one of the edge's two apexes is (Proposition 2.1).
+  Verdict encroachment(SubsegmentId s) const {
+    const HalfEdge h = live_.edge_of(s);
+    if (h == kNone) return {Reason::kMissing, VertexId(), 0};
+    if (const VertexId p = encroaching_apex(s, h); p.valid()) return {Reason::kEncroached, p, 0};
+    if (const VertexId p = encroaching_apex(s, dt_.twin(h)); p.valid()) {
+      return {Reason::kEncroached, p, 0};
+    }
+    return {};
+  }
+
+  /// The same, where v is an apex of the edge of s and all else is known.
+  Verdict encroached_by(SubsegmentId s, VertexId v) const {
+    const Subsegment& u = live_.subsegment(s);
+    const bool inside =
+        in_diametral_ball(dt_.point(u.a), dt_.point(u.b), dt_.point(v)) == Sign::kPositive;
+    return inside ? Verdict{Reason::kEncroached, v, 0} : Verdict{};
+  }
+
+  /// Whether s is not an edge of the triangulation.
+  Verdict missing(SubsegmentId s) const {
+    return live_.edge_of(s) == kNone ? Verdict{Reason::kMissing, VertexId(), 0} : Verdict{};
+  }
+
+  // --- triangles
+  bool alive(TriangleRef t) const {
+    return dt_.alive(t.id) && dt_.triangle(t.id).birth == t.birth;
+  }
+  TriangleShape shape(TriangleRef t) const {
+    const auto& v = dt_.triangle(t.id).v;
+    return shape_of(dt_.point(v[0]), dt_.point(v[1]), dt_.point(v[2]));
+  }
+  Point2 circumcenter(TriangleRef t) const {
+    const auto& v = dt_.triangle(t.id).v;
+    return circumball::circumcenter(dt_.point(v[0]), dt_.point(v[1]), dt_.point(v[2]));
+  }
+  /// A measure that only a trace shows: not computed if nobody records.
+  template <class Measure>
+  double measure(Measure m) const {
+    return measuring_ ? m() : 0;
+  }
+  double area_bound(TriangleRef t) const { return live_.area_bound(t.id); }
+
+  /// Looks at c before leaping: c is the point that splits t, in its circumdisk. Finds the cavity of c.
+  Outlook look(Point2& c, TriangleRef t);
+  /// Looks at the midpoint of s.
+  Outlook look_at_midpoint(const Point2& m, SubsegmentId s);
+  /// The subsegments that the last look found encroached.
+  const std::vector<SubsegmentId>& encroached() const { return encroached_; }
+  /// Whether the point last looked at lies outside the domain, or its cavity swallows a subsegment.
+  bool separates() const {
+    return !dt_.cavity_tagged_inside().empty() || !live_.in_domain(dt_.cavity()[0]);
+  }
+  /// Distance from the point last looked at to its nearest vertex: r_q, if it is inserted (Definition 2.1.5).
+  double insertion_radius(const Point2& p) const;
+
+ private:
+  VertexId encroaching_apex(SubsegmentId s, HalfEdge h) const {
+    const VertexId p = dt_.apex(h);
+    if (p == Delaunay2::kGhost) return VertexId();
+    const Subsegment& u = live_.subsegment(s);
+    const bool inside = in_diametral_ball(dt_.point(u.a), dt_.point(u.b), dt_.point(p)) ==
+                        Sign::kPositive;
+    return inside ? p : VertexId();
+  }
+  bool cavity_holds(TriangleId t) const {
+    const auto& cavity = dt_.cavity();
+    return std::find(cavity.begin(), cavity.end(), t) != cavity.end();
+  }
+
+  Live2& live_;
+  Delaunay2& dt_;  // only its scratch (the cavity of a probe) is ever written here
+  bool measuring_;
+  std::vector<SubsegmentId> encroached_;
+};
+
+}  // namespace circumball
+
+#endif  // CIRCUMBALL_REFINEMENT_VIEW_H_
