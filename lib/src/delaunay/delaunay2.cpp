@@ -1,16 +1,30 @@
 #include "delaunay/delaunay2.h"
 
-#include <algorithm>
 #include <cassert>
+#include <cmath>
 
-#include "circumball/predicates.h"
-#include "delaunay/spatial_order.h"
+#include "predicates/fast.h"
 
 namespace circumball {
 namespace {
 
 /// Lexicographic order: along a line it is an order of its points, and exact.
 bool before(const Point2& a, const Point2& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
+
+/// Exact in sign only.
+double orient(const Point2& a, const Point2& b, const Point2& c) {
+  return orient2d_filtered(a.x, a.y, b.x, b.y, c.x, c.y);
+}
+double in_circle(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
+  return incircle_filtered(a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y);
+}
+
+/// Which corner of a triangle is kGhost; 3 if none.
+std::uint32_t ghost_corner(const Delaunay2::Triangle& t) {
+  for (std::uint32_t i = 0; i < 3; ++i)
+    if (t.v[i] == Delaunay2::kGhost) return i;
+  return 3;
+}
 
 }  // namespace
 
@@ -35,14 +49,27 @@ void Delaunay2::set_tag(HalfEdge h, std::uint32_t tag) {
 std::size_t Delaunay2::bytes() const {
   return vertices_.capacity() * sizeof(Vertex) + triangles_.capacity() * sizeof(Triangle) +
          tags_.capacity() * sizeof(std::uint32_t) + ring_.capacity() * sizeof(RingEdge) +
+         inheritance_.capacity() * sizeof(Inheritance) + pending_.capacity() * sizeof(Sight) +
          (cavity_.capacity() + boundary_.capacity() + tagged_inside_.capacity() +
-          stack_.capacity() + born_.capacity()) *
+          born_.capacity()) *
              sizeof(std::uint32_t) +
          died_.capacity() * sizeof(Triangle);
 }
 
-// ---- point location
-// -----------------------------------------------------------------------------------------------
+inline Delaunay2::Sight Delaunay2::sight(VertexId v, const Point2& p, HalfEdge h) const {
+  if (v == kGhost) return {0, 0, 0, v, h};
+  const double x = point(v).x - p.x, y = point(v).y - p.y;
+  return {x, y, x * x + y * y, v, h};
+}
+
+// orient2d_filtered of (a, b, p), with the offsets that are known.
+inline double Delaunay2::turn(const Sight& a, const Sight& b, const Point2& p) const {
+  const double left = a.x * b.y, right = a.y * b.x, det = left - right;
+  if (std::fabs(det) >= internal::kOrient2dBound * (std::fabs(left) + std::fabs(right))) return det;
+  return orient(point(a.v), point(b.v), p);
+}
+
+// ---- point location -----------------------------------------------------------------------------
 
 TriangleId Delaunay2::locate(const Point2& p, TriangleId hint) const {
   if (dimension_ < 1) return kNone;
@@ -50,30 +77,33 @@ TriangleId Delaunay2::locate(const Point2& p, TriangleId hint) const {
   return dimension_ == 1 ? walk_on_line(p, hint) : walk(p, hint);
 }
 
-// A visibility walk that does not look back across the edge it came through.
+// A visibility walk that does not look back across the edge it came through. Offsets from p are
+// carried from triangle to triangle: a step looks at one new vertex.
 TriangleId Delaunay2::walk(const Point2& p, TriangleId t) const {
-  std::uint32_t from = 3;  // index of the edge that we came through; 3: none
-  if (is_ghost(t)) {
+  HalfEdge o;  // the edge that we came through, from b to a; p is on its left, or on it
+  {
     const Triangle& at = triangles_[t];
-    const std::uint32_t g = at.v[0] == kGhost ? 0 : at.v[1] == kGhost ? 1 : 2;
-    if (orient2d(point(at.v[kNext[g]]), point(at.v[kPrev[g]]), p) == Sign::kPositive) return t;
-    from = at.n[g] & 3;
-    t = at.n[g] >> 2;
+    const std::uint32_t g = ghost_corner(at), i = g < 3 ? g : 0;
+    const double side = orient(point(at.v[kNext[i]]), point(at.v[kPrev[i]]), p);
+    if (g < 3 && side > 0) return t;
+    o = g < 3 || side < 0 ? at.n[i] : 4 * t + i;
   }
+  Sight b = sight(origin(o), p, kNone), a = sight(target(o), p, kNone);
   for (;;) {
+    t = o >> 2;
     const Triangle& at = triangles_[t];
-    HalfEdge through = kNone;
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      if (i == from) continue;
-      if (orient2d(point(at.v[kNext[i]]), point(at.v[kPrev[i]]), p) == Sign::kNegative) {
-        through = at.n[i];
-        break;
-      }
+    const std::uint32_t i = o & 3;
+    if (at.v[i] == kGhost) return t;
+    const Sight c = sight(at.v[i], p, kNone);
+    if (turn(a, c, p) < 0) {
+      b = c;
+      o = at.n[kNext[i]];
+    } else if (turn(c, b, p) < 0) {
+      a = c;
+      o = at.n[kPrev[i]];
+    } else {
+      return t;
     }
-    if (through == kNone) return t;
-    t = through >> 2;
-    from = through & 3;
-    if (is_ghost(t)) return t;
   }
 }
 
@@ -83,13 +113,13 @@ TriangleId Delaunay2::walk_on_line(const Point2& p, TriangleId t) const {
   bool first = true;
   for (;;) {
     const Triangle& at = triangles_[t];
-    const std::uint32_t g = at.v[0] == kGhost ? 0 : at.v[1] == kGhost ? 1 : 2;
+    const std::uint32_t g = ghost_corner(at);
     const Point2 &a = point(at.v[kNext[g]]), &b = point(at.v[kPrev[g]]);
     const TriangleId mirror = at.n[g] >> 2;
     if (first) {
-      const Sign side = orient2d(a, b, p);
-      if (side == Sign::kPositive) return t;
-      if (side == Sign::kNegative) return mirror;
+      const double side = orient(a, b, p);
+      if (side > 0) return t;
+      if (side < 0) return mirror;
       first = false;
     }
     const bool forward = before(a, b);
@@ -107,27 +137,29 @@ TriangleId Delaunay2::walk_on_line(const Point2& p, TriangleId t) const {
   }
 }
 
-// ---- probe
-// --------------------------------------------------------------------------------------------------------
+// ---- probe --------------------------------------------------------------------------------------
 
 bool Delaunay2::in_conflict(const Triangle& t, const Point2& p, std::uint32_t number) const {
-  for (std::uint32_t g = 0; g < 3; ++g) {
-    if (t.v[g] != kGhost) continue;
+  const std::uint32_t g = ghost_corner(t);
+  if (g < 3) {
     const Point2 &a = point(t.v[kNext[g]]), &b = point(t.v[kPrev[g]]);
-    const Sign side = orient2d(a, b, p);
-    if (side != Sign::kZero) return side == Sign::kPositive;
+    const double side = orient(a, b, p);
+    if (side != 0) return side > 0;
     return before(a, b) ? before(a, p) && before(p, b) : before(b, p) && before(p, a);
   }
-  const Sign in = incircle(point(t.v[0]), point(t.v[1]), point(t.v[2]), p);
-  if (in != Sign::kZero) return in == Sign::kPositive;
-  // Four distinct cocircular points: the one of the highest number is lifted most. If it is p, it
-  // is outside. If it is vertex i, that one leaves the disk of the other two and p: p is inside if
-  // it is on i's side of the opposite edge.
+  const double in = in_circle(point(t.v[0]), point(t.v[1]), point(t.v[2]), p);
+  return in > 0 || (in == 0 && wins_tie(t, p, number));
+}
+
+// Four distinct cocircular points: the one of the highest number is lifted most. If it is p, it is
+// outside. If it is vertex i, that one leaves the disk of the other two and p: p is inside if it is
+// on i's side of the opposite edge.
+bool Delaunay2::wins_tie(const Triangle& t, const Point2& p, std::uint32_t p_number) const {
   std::uint32_t top = 0;
-  if (t.v[top] < t.v[1]) top = 1;
-  if (t.v[top] < t.v[2]) top = 2;
-  if (number > t.v[top].value) return false;
-  return orient2d(point(t.v[kNext[top]]), point(t.v[kPrev[top]]), p) == Sign::kPositive;
+  if (number(t.v[top]) < number(t.v[1])) top = 1;
+  if (number(t.v[top]) < number(t.v[2])) top = 2;
+  if (p_number > number(t.v[top])) return false;
+  return orient(point(t.v[kNext[top]]), point(t.v[kPrev[top]]), p) > 0;
 }
 
 bool Delaunay2::equals_corner(const Point2& p, TriangleId t) {
@@ -140,25 +172,48 @@ bool Delaunay2::equals_corner(const Point2& p, TriangleId t) {
 }
 
 // Collects the triangles in conflict and, counter-clockwise, the boundary of their union. No vertex
-// is inside it, so its dual graph is a tree: a depth-first walk from the seed needs no marks.
+// is inside it, so its dual graph is a tree: a depth-first walk from the seed needs no marks. `a`
+// is the last vertex of the boundary that is settled; `pending_` holds those to come, the next on
+// top, each with the half-edge that ends there.
 void Delaunay2::dig(const Point2& p, std::uint32_t number, TriangleId seed) {
   const bool tagged = !tags_.empty();
   cavity_.push_back(seed);
-  stack_.assign({4 * seed + 2, 4 * seed + 1, 4 * seed});
-  while (!stack_.empty()) {
-    const HalfEdge h = stack_.back();
-    stack_.pop_back();
-    const HalfEdge o = twin(h);
-    if (in_conflict(triangles_[o >> 2], p, number)) {
-      cavity_.push_back(o >> 2);
-      if (tagged && tags_[h] != kNone) tagged_inside_.push_back(h);
-      stack_.push_back(prev(o));
-      stack_.push_back(next(o));
+  pending_.clear();
+  for (const std::uint32_t i : {0u, 2u, 1u})
+    pending_.push_back(sight(triangles_[seed].v[i], p, 4 * seed + kNext[i]));
+  Sight a = pending_[0];
+  bool at_hull = is_ghost(seed);
+  do {
+    Sight& b = pending_.back();
+    const HalfEdge o = twin(b.h);
+    const TriangleId t = o >> 2;
+    const Triangle& at = triangles_[t];
+    const VertexId v = at.v[o & 3];
+    const Sight c = sight(v, p, next(o));
+    bool conflict;
+    if (at_hull || v == kGhost) {
+      conflict = in_conflict(at, p, number);
+      at_hull = at_hull || conflict;
     } else {
-      boundary_.push_back(h);
-      ring_.push_back({h, o, origin(h), 0, kNone});
+      // incircle_filtered of (b, a, c, p), with the offsets that are known.
+      const double det = b.lift * (a.x * c.y - c.x * a.y) + a.lift * (c.x * b.y - b.x * c.y) +
+                         c.lift * (b.x * a.y - a.x * b.y);
+      const double bound = a.lift * (b.lift + c.lift) + b.lift * c.lift;
+      conflict =
+          std::fabs(det) > internal::kIncircleBound * bound ? det > 0 : in_conflict(at, p, number);
     }
-  }
+    if (conflict) {
+      cavity_.push_back(t);
+      if (tagged && tags_[o] != kNone) tagged_inside_.push_back(b.h);
+      b.h = prev(o);
+      pending_.push_back(c);
+    } else {
+      boundary_.push_back(b.h);
+      ring_.push_back({o, a.v});
+      a = b;
+      pending_.pop_back();
+    }
+  } while (!pending_.empty());
 }
 
 Delaunay2::Probe Delaunay2::probe_at(const Point2& p, std::uint32_t number, TriangleId start) {
@@ -167,33 +222,36 @@ Delaunay2::Probe Delaunay2::probe_at(const Point2& p, std::uint32_t number, Tria
   tagged_inside_.clear();
   ring_.clear();
   duplicate_of_ = VertexId();
-  dimension_after_ = 2;
   if (!alive(start)) start = last_born_;
-  if (dimension_ == 2) {
-    const TriangleId seed = walk(p, start);
-    if (equals_corner(p, seed)) return Probe::kDuplicate;
-    dig(p, number, seed);
-    return Probe::kOk;
-  }
+  if (dimension_ < 2) return probe_below_plane(p, number, start);
+  dimension_after_ = 2;
+  const TriangleId seed = walk(p, start);
+  if (equals_corner(p, seed)) return Probe::kDuplicate;
+  dig(p, number, seed);
+  return Probe::kOk;
+}
+
+Delaunay2::Probe Delaunay2::probe_below_plane(const Point2& p, std::uint32_t number,
+                                              TriangleId start) {
   if (dimension_ == 1) return probe_on_line(p, number, start);
   dimension_after_ = dimension_ + 1;
-  if (dimension_ == 0) {
-    if (point(only_vertex_) == p) {
-      duplicate_of_ = only_vertex_;
-      return Probe::kDuplicate;
-    }
-    ring_.push_back({kNone, kNone, only_vertex_, 0, kNone});
-    ring_.push_back({kNone, kNone, kGhost, 0, kNone});
+  if (dimension_ < 0) return Probe::kOk;
+  if (point(only_vertex_) == p) {
+    duplicate_of_ = only_vertex_;
+    return Probe::kDuplicate;
   }
+  ring_.push_back({kNone, only_vertex_});
+  ring_.push_back({kNone, kGhost});
   return Probe::kOk;
 }
 
 Delaunay2::Probe Delaunay2::probe_on_line(const Point2& p, std::uint32_t number, TriangleId start) {
   const TriangleId t = walk_on_line(p, start);
   const Triangle& at = triangles_[t];
-  const std::uint32_t g = at.v[0] == kGhost ? 0 : at.v[1] == kGhost ? 1 : 2;
+  const std::uint32_t g = ghost_corner(at);
   const Point2 &a = point(at.v[kNext[g]]), &b = point(at.v[kPrev[g]]);
-  if (orient2d(a, b, p) != Sign::kZero) {
+  if (orient(a, b, p) != 0) {
+    dimension_after_ = 2;
     dig(p, number, t);  // all the ghosts on this side die, and the triangulation becomes planar
     return Probe::kOk;
   }
@@ -201,32 +259,57 @@ Delaunay2::Probe Delaunay2::probe_on_line(const Point2& p, std::uint32_t number,
   if (equals_corner(p, t)) return Probe::kDuplicate;
   const HalfEdge ab = 4 * t + g, ba = at.n[g];
   if (before(a, b) ? before(b, p) : before(p, b)) {
-    // The chain grows at b: two ghosts (p, kGhost, b), (p, b, kGhost) come between those of ab and
-    // ba.
-    ring_.push_back({kNone, next(ab), kGhost, 0, kNone});
-    ring_.push_back({kNone, twin(next(ab)), at.v[kPrev[g]], 0, kNone});
+    // The chain grows at b: two ghosts (p, kGhost, b), (p, b, kGhost) come between those of ab, ba.
+    ring_.push_back({next(ab), kGhost});
+    ring_.push_back({twin(next(ab)), at.v[kPrev[g]]});
   } else {
     cavity_.push_back(t);
     cavity_.push_back(ba >> 2);
     if (tag(ab) != kNone) tagged_inside_.push_back(ab);
     for (const HalfEdge h : {next(ba), prev(ba), next(ab), prev(ab)}) {
       boundary_.push_back(h);
-      ring_.push_back({h, twin(h), origin(h), 0, kNone});
+      ring_.push_back({twin(h), origin(h)});
     }
   }
   return Probe::kOk;
 }
 
-// ---- commit
-// -------------------------------------------------------------------------------------------------------
+// ---- commit -------------------------------------------------------------------------------------
 
-template <bool kRecord>
+// On a line an outer edge may have its twin among the outer edges: links the triangles to be born.
+void Delaunay2::link_on_line(TriangleId fresh) {
+  const std::uint32_t dead = static_cast<std::uint32_t>(cavity_.size());
+  const auto slot = [&](std::uint32_t j) { return j < dead ? cavity_[j] : fresh + (j - dead); };
+  if (dimension_ == 0) {
+    ring_[0].outside = 4 * slot(1);
+    ring_[1].outside = 4 * slot(0);
+    return;
+  }
+  for (RingEdge& e : ring_) {
+    for (std::uint32_t k = 0; k < boundary_.size(); ++k) {
+      if (boundary_[k] != e.outside) continue;
+      e.outside = 4 * slot(k);
+      break;
+    }
+  }
+}
+
+// kPlain: all labels are 0, there are no tags, and no record is wanted.
+template <bool kPlain>
 void Delaunay2::fill(VertexId v, std::uint32_t splitting_tag) {
-  const std::size_t dead = cavity_.size(), count = ring_.size();
-  if (kRecord) {
+  const std::size_t count = ring_.size();
+  const bool tagged = !kPlain && !tags_.empty();
+  if (!kPlain) {
     died_.clear();
     born_.clear();
     for (const TriangleId t : cavity_) died_.push_back(triangles_[t]);
+    bool inherit = true;
+    for (const HalfEdge h : tagged_inside_) inherit = inherit && tags_[h] == splitting_tag;
+    inheritance_.assign(count, {0, kNone});
+    for (std::size_t j = 0; j < boundary_.size(); ++j) {
+      if (inherit) inheritance_[j].label = triangles_[boundary_[j] >> 2].label;
+      if (tagged) inheritance_[j].tag = tags_[boundary_[j]];
+    }
   }
   if (dimension_after_ == 0) {
     dimension_ = 0;
@@ -234,50 +317,28 @@ void Delaunay2::fill(VertexId v, std::uint32_t splitting_tag) {
     vertices_[v.value].t = kAlone;
     return;
   }
-  assert(count == dead + 2);
-  const bool tagged = !tags_.empty();
-  bool inherit = true;
-  for (const HalfEdge h : tagged_inside_) inherit = inherit && tags_[h] == splitting_tag;
-  for (RingEdge& e : ring_) {
-    if (e.inside == kNone) continue;
-    if (inherit) e.label = triangles_[e.inside >> 2].label;
-    if (tagged) e.tag = tags_[e.inside];
-  }
-
+  assert(count == cavity_.size() + 2);
   const TriangleId fresh = slot_count();
   triangles_.resize(triangles_.size() + 2);
   if (tagged) tags_.resize(4 * triangles_.size(), kNone);
-  const auto slot = [&](std::size_t j) {
-    return j < dead ? cavity_[j] : fresh + static_cast<TriangleId>(j - dead);
-  };
-  if (dimension_after_ == 1) {
-    // An outer edge may have its twin among the outer edges: link the born triangles there.
-    HalfEdge outside[4];
-    for (std::size_t j = 0; j < count; ++j) {
-      outside[j] = ring_[j].outside;
-      if (dimension_ == 0) outside[j] = 4 * slot(1 - j);
-      for (std::size_t k = 0; k < count; ++k)
-        if (outside[j] == ring_[k].inside && dead > 0) {
-          outside[j] = 4 * slot(k);
-          break;
-        }
-    }
-    for (std::size_t j = 0; j < count; ++j) ring_[j].outside = outside[j];
-  }
+  if (dimension_after_ == 1) link_on_line(fresh);
 
-  TriangleId before_slot = slot(count - 1), here = slot(0);
+  // The dead lend their slots; a triangle is linked to those before and after it in the ring.
+  cavity_.push_back(fresh);
+  cavity_.push_back(fresh + 1);
+  TriangleId previous = cavity_[count - 1], here = cavity_[0];
   for (std::size_t j = 0; j < count; ++j) {
     const std::size_t after = j + 1 < count ? j + 1 : 0;
-    const TriangleId after_slot = slot(after);
-    const RingEdge& e = ring_[j];
+    const TriangleId following = cavity_[after];
+    const RingEdge e = ring_[j];
     Triangle& t = triangles_[here];
     t.v[0] = v;
     t.v[1] = e.origin;
     t.v[2] = ring_[after].origin;
-    t.label = e.label;
+    t.label = kPlain ? 0 : inheritance_[j].label;
     t.n[0] = e.outside;
-    t.n[1] = 4 * after_slot + 2;
-    t.n[2] = 4 * before_slot + 1;
+    t.n[1] = 4 * following + 2;
+    t.n[2] = 4 * previous + 1;
     t.birth = births_++;
     triangles_[e.outside >> 2].n[e.outside & 3] = 4 * here;
     if (e.origin == kGhost) {
@@ -286,76 +347,29 @@ void Delaunay2::fill(VertexId v, std::uint32_t splitting_tag) {
       vertices_[e.origin.value].t = here;
     }
     if (tagged) {
-      std::uint32_t* tags = &tags_[4 * here];
-      tags[0] = e.tag;
+      std::uint32_t* tags = &tags_[4 * std::size_t{here}];
+      tags[0] = inheritance_[j].tag;
       tags[1] = tags[2] = kNone;
     }
-    if (kRecord) born_.push_back(here);
-    before_slot = here;
-    here = after_slot;
+    previous = here;
+    here = following;
   }
   vertices_[v.value].t = here;
   last_born_ = here;
   dimension_ = dimension_after_;
+  if (!kPlain) born_.swap(cavity_);
+  cavity_.clear();
 }
 
 void Delaunay2::commit(VertexId v, std::uint32_t splitting_tag) {
   assert(!inserted(v) && !duplicate_of_.valid());
-  fill<true>(v, splitting_tag);
+  fill<false>(v, splitting_tag);
 }
 
-// ---- batches
-// ------------------------------------------------------------------------------------------------------
-
-Delaunay2::Batch Delaunay2::begin_batch(std::uint32_t first, std::uint32_t last) {
-  Batch batch;
-  last = std::min(last, vertex_count());
-  batch.order.reserve(last > first ? last - first : 0);
-  for (std::uint32_t v = first; v < last; ++v)
-    if (!inserted(VertexId(v))) batch.order.push_back(v);
-  const auto at = [this](std::uint32_t v) -> const Point2& { return vertices_[v].p; };
-  for (const auto& [vertex, of] : sort_along_hilbert_curve(at, &batch.order))
-    batch.duplicates.push_back({VertexId(vertex), VertexId(of)});
-  deal_rounds(&batch.order);
-  triangles_.reserve(triangles_.size() + 2 * batch.order.size());
-  if (!tags_.empty()) tags_.reserve(4 * triangles_.capacity());
-  return batch;
-}
-
-bool Delaunay2::insert_next(std::uint32_t v, Batch* batch) {
-  if (probe(VertexId(v), last_born_) == Probe::kDuplicate) {
-    batch->duplicates.push_back({VertexId(v), duplicate_of_});
-    return false;
-  }
-  fill<true>(VertexId(v), kNone);
+bool Delaunay2::insert_plainly(VertexId v) {
+  if (probe_at(point(v), number(v), last_born_) == Probe::kDuplicate) return false;
+  fill<true>(v, kNone);
   return true;
-}
-
-void Delaunay2::insert_silently(Batch* batch) {
-  died_.clear();
-  born_.clear();
-  for (const std::uint32_t v : batch->order) {
-    if (probe(VertexId(v), last_born_) == Probe::kOk) {
-      fill<false>(VertexId(v), kNone);
-    } else {
-      batch->duplicates.push_back({VertexId(v), duplicate_of_});
-    }
-  }
-}
-
-std::vector<Delaunay2::Duplicate> Delaunay2::end_batch(Batch* batch) {
-  // A vertex equal to one of the batch that turned out equal to one inserted before names the
-  // latter.
-  std::vector<Duplicate>& list = batch->duplicates;
-  std::sort(list.begin(), list.end(),
-            [](const Duplicate& a, const Duplicate& b) { return a.vertex < b.vertex; });
-  for (Duplicate& d : list) {
-    if (inserted(d.of)) continue;
-    const auto it = std::lower_bound(list.begin(), list.end(), d.of,
-                                     [](const Duplicate& e, VertexId v) { return e.vertex < v; });
-    d.of = it->of;
-  }
-  return std::move(list);
 }
 
 }  // namespace circumball

@@ -191,6 +191,7 @@ class Delaunay2 {
     if constexpr (std::is_same_v<Observer, std::nullptr_t>) {
       insert_silently(&batch);
     } else {
+      deal(&batch);
       for (const std::uint32_t v : batch.order)
         if (insert_next(v, &batch)) observer(VertexId(v));
     }
@@ -209,31 +210,47 @@ class Delaunay2 {
     Point2 p;
     TriangleId t;
   };
-  /// An edge of the cavity's boundary, counter-clockwise: the born triangle (p, origin, origin of
-  /// the next) takes it.
+  /// An edge of the cavity's boundary: the born triangle (p, origin, origin of the next one) takes
+  /// it.
   struct RingEdge {
-    HalfEdge inside, outside;
+    HalfEdge outside;
     VertexId origin;
+  };
+  struct Inheritance {
     std::uint32_t label, tag;
+  };
+  /// A vertex seen from the point that is located or inserted: offset, its squared length, and the
+  /// edge that ends there.
+  struct Sight {
+    double x, y, lift;
+    VertexId v;
+    HalfEdge h;
   };
   struct Batch {
     std::vector<std::uint32_t> order;
     std::vector<Duplicate> duplicates;
   };
 
+  std::uint32_t number(VertexId v) const { return numbers_ ? numbers_[v.value] : v.value; }
+  Sight sight(VertexId v, const Point2& p, HalfEdge h) const;
+  double turn(const Sight& a, const Sight& b, const Point2& p) const;
   TriangleId walk(const Point2& p, TriangleId t) const;
-  bool in_conflict(const Triangle& t, const Point2& p, std::uint32_t number) const;
-  Probe probe_at(const Point2& p, std::uint32_t number, TriangleId start);
-  Probe probe_on_line(const Point2& p, std::uint32_t number, TriangleId start);
   TriangleId walk_on_line(const Point2& p, TriangleId t) const;
+  bool in_conflict(const Triangle& t, const Point2& p, std::uint32_t number) const;
+  bool wins_tie(const Triangle& t, const Point2& p, std::uint32_t number) const;
+  Probe probe_at(const Point2& p, std::uint32_t number, TriangleId start);
+  Probe probe_below_plane(const Point2& p, std::uint32_t number, TriangleId start);
+  Probe probe_on_line(const Point2& p, std::uint32_t number, TriangleId start);
   bool equals_corner(const Point2& p, TriangleId t);
   void dig(const Point2& p, std::uint32_t number, TriangleId seed);
-  void ring_inside_edge(TriangleId t);
-  void ring_at_end(TriangleId t);
-  template <bool kRecord>
+  void link_on_line(TriangleId fresh);
+  template <bool kPlain>
   void fill(VertexId v, std::uint32_t splitting_tag);
+  bool insert_plainly(VertexId v);
   Batch begin_batch(std::uint32_t first, std::uint32_t last);
+  void deal(Batch* batch);
   void insert_silently(Batch* batch);
+  void build_in_order(Batch* batch);
   bool insert_next(std::uint32_t v, Batch* batch);
   std::vector<Duplicate> end_batch(Batch* batch);
 
@@ -245,13 +262,17 @@ class Delaunay2 {
   TriangleId ghost_triangle_ = kNone;
   TriangleId last_born_ = kNone;
   std::uint32_t births_ = 0;
+  const std::uint32_t* numbers_ =
+      nullptr;  // numbers that settle ties, where vertices are stored in another order
 
   // The probe, and the last commit: reused, so that an insertion allocates nothing.
   VertexId duplicate_of_;
   int dimension_after_ = -1;
   std::vector<TriangleId> cavity_;
-  std::vector<HalfEdge> boundary_, tagged_inside_, stack_;
+  std::vector<HalfEdge> boundary_, tagged_inside_;
   std::vector<RingEdge> ring_;
+  std::vector<Inheritance> inheritance_;
+  std::vector<Sight> pending_;
   std::vector<Triangle> died_;
   std::vector<TriangleId> born_;
 };
