@@ -2,8 +2,8 @@ import { formatNumber, simplexName } from '../texts.ts';
 import { Kind, NONE, Reason, type TraceEvent } from './event.ts';
 
 /**
- * The sentence of an event, in the words of the four rules, naming the witness. The words agree with circumball::describe,
- * which the command prints.
+ * The sentence of an event, in the words of the four rules, naming the witness: what circumball::describe says for the
+ * command, with the names that the panel uses.
  */
 export function describe(e: TraceEvent, steps: readonly string[]): string {
   const name = simplexName(e.simplex, e.segment);

@@ -93,7 +93,7 @@ export class Trace {
     const double = index * 8;
     const dimension = this.bytes[byte + 1]!;
     const simplex: number[] = [];
-    for (let k = 0; k <= Math.min(dimension, 2); k++) {
+    for (let k = 0; k <= dimension && dimension > 0 && k < 3; k++) {
       const v = this.words[word + 1 + k]!;
       if (v !== NONE) simplex.push(v);
     }

@@ -1,0 +1,51 @@
+import { app } from '../store/app.svelte.ts';
+import { isSingleCharacter, matches } from './keys.ts';
+import { actions } from './registry.ts';
+import { isEnabled } from './types.ts';
+
+/** One listener for the whole page. Fields keep their keys; a focused button keeps Space and Enter. */
+export function handleKey(e: KeyboardEvent): void {
+  if (e.defaultPrevented || app.dialog !== null || document.querySelector('.driver-active')) return;
+  const target = e.target instanceof HTMLElement ? e.target : document.body;
+  const isCommand = e.ctrlKey || e.metaKey;
+  if (takesText(target) && !(isCommand && e.key === 'Enter')) return;
+  if (target.closest('button, a, summary, [role=tab]') && (e.key === ' ' || e.key === 'Enter') && !isCommand) return;
+  if (ownsArrows(target) && /^(Arrow|Home|End)/.test(e.key)) return;
+  if (app.mode === 'draw' && isPictureOrPage(target) && editorTakes(e)) {
+    e.preventDefault();
+    return;
+  }
+  for (const action of actions) {
+    if (!action.keys.some((k) => matches(k, e) && (app.settings.singleKeys || !isSingleCharacter(k)))) continue;
+    e.preventDefault();
+    if (isEnabled(action)) action.perform();
+    return;
+  }
+}
+
+function editorTakes(e: KeyboardEvent): boolean {
+  if (e.key === 'Delete' || e.key === 'Backspace') return false; // an action
+  return app.doc.editor.keyDown({
+    key: e.key,
+    shift: e.shiftKey,
+    alt: e.altKey,
+    control: e.ctrlKey || e.metaKey,
+    unitsPerPixel: 1 / (app.picture?.getView().scale ?? 1),
+  });
+}
+
+function isPictureOrPage(target: HTMLElement): boolean {
+  return target === document.body || target.tagName === 'CANVAS';
+}
+
+function takesText(target: HTMLElement): boolean {
+  if (target.isContentEditable || target instanceof HTMLTextAreaElement || target instanceof HTMLSelectElement) return true;
+  return target instanceof HTMLInputElement && !['checkbox', 'radio', 'range', 'button', 'file'].includes(target.type);
+}
+
+function ownsArrows(target: HTMLElement): boolean {
+  return (
+    target.closest('[role=tab], [role=slider], [role=radiogroup], [role=listbox]') !== null ||
+    (target instanceof HTMLInputElement && ['range', 'radio'].includes(target.type))
+  );
+}

@@ -1,0 +1,19 @@
+/** An action: one record behind buttons, shortcuts and menus. */
+export interface Action {
+  readonly id: string;
+  readonly title: string | (() => string);
+  readonly group: 'Play' | 'Jump' | 'Edit' | 'Tools' | 'View' | 'File' | 'Help';
+  /** Shortcuts, the first one is shown: "Space", "ArrowLeft", "Mod+Z", "Shift+2", "?". */
+  readonly keys: readonly string[];
+  readonly enabled?: () => boolean;
+  readonly pressed?: () => boolean;
+  readonly perform: () => void;
+}
+
+export function titleOf(action: Action): string {
+  return typeof action.title === 'string' ? action.title : action.title();
+}
+
+export function isEnabled(action: Action): boolean {
+  return action.enabled?.() ?? true;
+}
