@@ -19,7 +19,8 @@ constexpr std::size_t kMaxDefects = 200;
 /// How deep JSON, SVG groups or geometry collections may nest.
 constexpr std::size_t kMaxDepth = 128;
 
-/// Adds a defect that stops the reading (at most kMaxDefects are kept). Returns false, for `return fail(…)`.
+/// Adds a defect that stops the reading (at most kMaxDefects are kept). Returns false, for `return
+/// fail(…)`.
 bool fail(ReadResult& result, const char* name, std::string message);
 /// The same for a place in a text file: "line 12: message".
 bool fail_at(ReadResult& result, std::size_t line, const char* name, const std::string& message);

@@ -23,7 +23,8 @@ class Reader {
     if (*name == "GeometryCollection") return each(value, "geometries");
     if (*name == "Feature") {
       const Json* geometry = value.find("geometry");
-      return !geometry || object(value.member(*geometry, "geometry"));  // null: a feature without a place
+      return !geometry ||
+             object(value.member(*geometry, "geometry"));  // null: a feature without a place
     }
     const Json* json = value.find("coordinates");
     if (!json) return value.wrong_type("a geometry with \"coordinates\"");
@@ -62,7 +63,8 @@ class Reader {
     return lines_.vertex(x, y);
   }
 
-  /// Lines from position to position; the last position of a ring repeats the first, which closes it.
+  /// Lines from position to position; the last position of a ring repeats the first, which closes
+  /// it.
   bool line_string(const JsonValue& value) {
     std::optional<std::uint32_t> last;
     return value.for_each([&](const JsonValue& v, std::size_t) {

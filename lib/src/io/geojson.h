@@ -5,7 +5,8 @@
 
 namespace circumball::io {
 
-/// Reads a GeoJSON document (RFC 7946) as line work in the plane; further coordinates of a position are ignored.
+/// Reads a GeoJSON document (RFC 7946) as line work in the plane; further coordinates of a position
+/// are ignored.
 void read_geojson(const JsonValue& document, ReadResult& result);
 
 }  // namespace circumball::io

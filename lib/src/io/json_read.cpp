@@ -10,8 +10,8 @@ namespace {
 /// Highest number of the format that this reader knows.
 constexpr std::int64_t kVersion = 1;
 
-/// Reads an array of tuples of indices into the vertices. After a tuple with a defect reading goes on, so that all
-/// of them are told.
+/// Reads an array of tuples of indices into the vertices. After a tuple with a defect reading goes
+/// on, so that all of them are told.
 template <std::size_t N, class Add>
 bool read_tuples(const JsonValue& list, std::size_t vertices, const char* wanted, Add add) {
   bool ok = true;
@@ -108,16 +108,16 @@ bool read_feature_index(const JsonValue& value, std::uint32_t* index) {
   std::int64_t wide = 0;
   if (!value.integer(&wide)) return false;
   if (wide < -1 || wide > static_cast<std::int64_t>(kNoIndex))
-    return value.fail("index-out-of-range", std::to_string(wide) +
-                                                " cannot be the number of a feature: use -1 for none");
+    return value.fail("index-out-of-range",
+                      std::to_string(wide) + " cannot be the number of a feature: use -1 for none");
   *index = wide < 0 ? kNoIndex : static_cast<std::uint32_t>(wide);
   return true;
 }
 
 bool read_vertex_features(const JsonValue& list, Mesh* mesh) {
   if (list.json().is_array() && list.json().size() != mesh->vertices.size())
-    return list.fail("wrong-length", "has " + std::to_string(list.json().size()) +
-                                         " entries for " + std::to_string(mesh->vertices.size()) +
+    return list.fail("wrong-length", "has " + std::to_string(list.json().size()) + " entries for " +
+                                         std::to_string(mesh->vertices.size()) +
                                          " vertices: give one for each, or none");
   return list.for_each([&](const JsonValue& pair, std::size_t) {
     if (!pair.is_array_of(2)) return pair.wrong_type("[kind, index]");
@@ -141,7 +141,8 @@ bool read_labeled(const JsonValue& list, std::size_t vertices, const char* wante
     if (!tuple.is_array_of(N + 1)) return tuple.wrong_type(wanted);
     std::array<std::uint32_t, N + 1> numbers{};
     const bool ok = tuple.for_each([&](const JsonValue& v, std::size_t k) {
-      return k == N ? read_feature_index(v, &numbers[k]) : v.index(vertices, "vertices", &numbers[k]);
+      return k == N ? read_feature_index(v, &numbers[k])
+                    : v.index(vertices, "vertices", &numbers[k]);
     });
     if (ok) add(numbers);
     return ok;
@@ -158,15 +159,14 @@ bool read_mesh(const JsonValue& value, ReadResult& result) {
   if (!cells) return value.wrong_type("an object with \"cells\"");
   const JsonValue cell_list = value.member(*cells, "cells");
   const auto add = [&](const auto& v) { mesh.cells.insert(mesh.cells.end(), v.begin(), v.end()); };
-  if (!(mesh.dimension == 2
-            ? read_tuples<3>(cell_list, mesh.vertices.size(), "[a, b, c]", add)
-            : read_tuples<4>(cell_list, mesh.vertices.size(), "[a, b, c, d]", add)))
+  if (!(mesh.dimension == 2 ? read_tuples<3>(cell_list, mesh.vertices.size(), "[a, b, c]", add)
+                            : read_tuples<4>(cell_list, mesh.vertices.size(), "[a, b, c, d]", add)))
     return false;
   if (const Json* regions = value.find("cellRegions"); regions && !regions->empty()) {
     const JsonValue list = value.member(*regions, "cellRegions");
     if (regions->is_array() && regions->size() != mesh.cell_count())
-      return list.fail("wrong-length", "has " + std::to_string(regions->size()) +
-                                           " labels for " + std::to_string(mesh.cell_count()) +
+      return list.fail("wrong-length", "has " + std::to_string(regions->size()) + " labels for " +
+                                           std::to_string(mesh.cell_count()) +
                                            " cells: give one for each, or none");
     const bool ok = list.for_each([&](const JsonValue& v, std::size_t) {
       mesh.cell_regions.push_back(0);
@@ -178,11 +178,15 @@ bool read_mesh(const JsonValue& value, ReadResult& result) {
     if (!read_vertex_features(value.member(*features, "vertexFeatures"), &mesh)) return false;
   if (const Json* edges = value.find("edges"))
     if (!read_labeled<2>(value.member(*edges, "edges"), mesh.vertices.size(), "[a, b, segment]",
-                         [&](const auto& n) { mesh.edges.push_back({n[0], n[1], n[2]}); }))
+                         [&](const auto& n) {
+                           mesh.edges.push_back({n[0], n[1], n[2]});
+                         }))
       return false;
   if (const Json* facets = value.find("facets"))
     if (!read_labeled<3>(value.member(*facets, "facets"), mesh.vertices.size(), "[a, b, c, face]",
-                         [&](const auto& n) { mesh.facets.push_back({n[0], n[1], n[2], n[3]}); }))
+                         [&](const auto& n) {
+                           mesh.facets.push_back({n[0], n[1], n[2], n[3]});
+                         }))
       return false;
   // Subsegments have the marker of their segment, 0 where that is not known.
   if (!complex.segment_markers.empty())
@@ -217,7 +221,8 @@ void read_own(const JsonValue& document, ReadResult& result) {
   const JsonValue dimension_value = document.member(*dimension_json, "dimension");
   if (!dimension_value.integer(&dimension)) return;
   if (dimension != 2 && dimension != 3) {
-    dimension_value.fail("unsupported", "is " + std::to_string(dimension) + ": it should be 2 or 3");
+    dimension_value.fail("unsupported",
+                         "is " + std::to_string(dimension) + ": it should be 2 or 3");
     return;
   }
   complex.dimension = static_cast<int>(dimension);
@@ -230,8 +235,9 @@ void read_own(const JsonValue& document, ReadResult& result) {
     return;
   bool ok = true;
   if (const Json* segments = document.find("segments"))
-    ok = read_tuples<2>(document.member(*segments, "segments"), complex.vertices.size(), "[a, b]",
-                        [&](const std::array<std::uint32_t, 2>& s) { complex.segments.push_back(s); });
+    ok = read_tuples<2>(
+        document.member(*segments, "segments"), complex.vertices.size(), "[a, b]",
+        [&](const std::array<std::uint32_t, 2>& s) { complex.segments.push_back(s); });
   if (const Json* faces = document.find("faces"); faces && ok)
     ok = document.member(*faces, "faces").for_each([&](const JsonValue& v, std::size_t) {
       return read_face(v, &complex);

@@ -6,10 +6,12 @@
 namespace circumball::io {
 namespace {
 
-/// Bytes of a JSON document that is read: a parsed one takes up to about thirty times as much memory.
+/// Bytes of a JSON document that is read: a parsed one takes up to about thirty times as much
+/// memory.
 constexpr std::size_t kMaxJsonBytes = std::size_t{1} << 28;
 
-/// Walks over a document without building it: finds the error, or nesting that is too deep, and where.
+/// Walks over a document without building it: finds the error, or nesting that is too deep, and
+/// where.
 class Scout : public nlohmann::json_sax<Json> {
  public:
   bool too_deep = false;
@@ -52,10 +54,12 @@ bool parse_json(std::string_view bytes, Json* json, ReadResult& result) {
   Scout scout;
   if (!Json::sax_parse(bytes.begin(), bytes.end(), &scout)) {
     if (scout.too_deep)
-      return fail(result, "too-large",
-                  "the JSON nests deeper than " + std::to_string(kMaxDepth) + " levels: flatten it");
+      return fail(
+          result, "too-large",
+          "the JSON nests deeper than " + std::to_string(kMaxDepth) + " levels: flatten it");
     const std::size_t at = std::min(scout.position, bytes.size());
-    const auto line = std::count(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+    const auto line =
+        std::count(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(at), '\n');
     const std::string where = "near byte " + std::to_string(at);
     if (scout.overflow)
       return fail_at(result, static_cast<std::size_t>(line) + 1, "not-finite",

@@ -8,12 +8,14 @@
 
 #include "io/formats.h"
 
-/// Typed access to parsed JSON where every surprise is a defect that names the path ("segments[3][1]").
+/// Typed access to parsed JSON where every surprise is a defect that names the path
+/// ("segments[3][1]").
 namespace circumball::io {
 
 using Json = nlohmann::json;
 
-/// Parses `bytes`. Nesting, size and syntax are checked before anything is built; false after a defect.
+/// Parses `bytes`. Nesting, size and syntax are checked before anything is built; false after a
+/// defect.
 bool parse_json(std::string_view bytes, Json* json, ReadResult& result);
 
 /// A value inside a document, with its path for messages.
@@ -27,8 +29,8 @@ class JsonValue {
   std::string path() const {
     return parent_ ? (parent_->parent_ || !parent_->path_.empty() ? parent_->path() : "") + "[" +
                          std::to_string(index_) + "]"
-                   : path_.empty() ? "the document"
-                                   : path_;
+           : path_.empty() ? "the document"
+                           : path_;
   }
 
   /// "path: message", under `name`. Returns false.
@@ -37,12 +39,14 @@ class JsonValue {
   }
   /// A defect: it should be `wanted`. Returns false.
   bool wrong_type(const char* wanted) const {
-    return fail("type", std::string("should be ") + wanted + ", but is " + describe() + ": correct it");
+    return fail("type",
+                std::string("should be ") + wanted + ", but is " + describe() + ": correct it");
   }
 
   bool is_array_of(std::size_t size) const { return json_->is_array() && json_->size() == size; }
 
-  /// Calls f(element, index) for each element of an array until it returns false. The path is made on demand only.
+  /// Calls f(element, index) for each element of an array until it returns false. The path is made
+  /// on demand only.
   template <class F>
   bool for_each(F f) const {
     if (!json_->is_array()) return wrong_type("an array");

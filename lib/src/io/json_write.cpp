@@ -6,7 +6,9 @@
 namespace circumball::io {
 namespace {
 
-std::string json_number(double value) { return std::isfinite(value) ? format_double(value) : "null"; }
+std::string json_number(double value) {
+  return std::isfinite(value) ? format_double(value) : "null";
+}
 
 std::string json_point(const Point3& p, int dimension) {
   std::string out = "[" + json_number(p.x) + ", " + json_number(p.y);
@@ -69,35 +71,37 @@ std::string json_markers(const std::vector<std::int32_t>& markers) {
 /// Everything but the mesh and the closing brace.
 std::string head(const Complex& complex, const std::vector<Point3>& vertices,
                  const std::vector<std::int32_t>& vertex_markers) {
-  std::string out = "{\n  \"circumball\": 1,\n  \"dimension\": " + std::to_string(complex.dimension) +
-                    ",\n  \"vertices\": " + json_array(vertices.size(), "  ", [&](std::size_t i) {
-                      return json_point(vertices[i], complex.dimension);
-                    });
+  std::string out =
+      "{\n  \"circumball\": 1,\n  \"dimension\": " + std::to_string(complex.dimension) +
+      ",\n  \"vertices\": " + json_array(vertices.size(), "  ", [&](std::size_t i) {
+        return json_point(vertices[i], complex.dimension);
+      });
   if (!complex.segments.empty())
     out += ",\n  \"segments\": " + json_array(complex.segments.size(), "  ", [&](std::size_t i) {
-      return "[" + std::to_string(complex.segments[i][0]) + ", " +
-             std::to_string(complex.segments[i][1]) + "]";
-    });
+             return "[" + std::to_string(complex.segments[i][0]) + ", " +
+                    std::to_string(complex.segments[i][1]) + "]";
+           });
   if (!complex.faces.empty())
     out += ",\n  \"faces\": " + json_array(complex.faces.size(), "  ", [&](std::size_t i) {
-      return json_face(complex.faces[i]);
-    });
+             return json_face(complex.faces[i]);
+           });
   // That "holes" is there, if only empty, says that holes are told by seeds and not by parity.
   if (!complex.holes.empty() || complex.hole_rule == HoleRule::kSeeds)
     out += ",\n  \"holes\": " + json_array(complex.holes.size(), "  ", [&](std::size_t i) {
-      return json_point(complex.holes[i], complex.dimension);
-    });
+             return json_point(complex.holes[i], complex.dimension);
+           });
   if (!complex.regions.empty())
     out += ",\n  \"regions\": " + json_array(complex.regions.size(), "  ", [&](std::size_t i) {
-      const Region& r = complex.regions[i];
-      return "{\"at\": " + json_point(r.at, complex.dimension) +
-             ", \"label\": " + json_number(r.label) +
-             (r.max > 0 ? ", \"max\": " + json_number(r.max) : "") + "}";
-    });
+             const Region& r = complex.regions[i];
+             return "{\"at\": " + json_point(r.at, complex.dimension) +
+                    ", \"label\": " + json_number(r.label) +
+                    (r.max > 0 ? ", \"max\": " + json_number(r.max) : "") + "}";
+           });
   std::string markers;
   const auto add_markers = [&](const char* key, const std::vector<std::int32_t>& values) {
     if (values.empty()) return;
-    markers += std::string(markers.empty() ? "" : ",") + "\n    \"" + key + "\": " + json_markers(values);
+    markers +=
+        std::string(markers.empty() ? "" : ",") + "\n    \"" + key + "\": " + json_markers(values);
   };
   add_markers("vertices", vertex_markers);
   add_markers("segments", complex.segment_markers);
@@ -123,26 +127,28 @@ std::string write_json_mesh(const Mesh& mesh, const Complex& complex) {
            return cell + "]";
          });
   if (!mesh.cell_regions.empty())
-    out += ",\n    \"cellRegions\": " + json_array(mesh.cell_regions.size(), "    ", [&](std::size_t i) {
-      return json_number(mesh.cell_regions[i]);
-    });
+    out += ",\n    \"cellRegions\": " +
+           json_array(mesh.cell_regions.size(), "    ",
+                      [&](std::size_t i) { return json_number(mesh.cell_regions[i]); });
   if (!mesh.vertex_features.empty())
     out += ",\n    \"vertexFeatures\": " +
            json_array(mesh.vertex_features.size(), "    ", [&](std::size_t i) {
              const Feature& f = mesh.vertex_features[i];
-             return "[" + std::to_string(static_cast<int>(f.kind)) + ", " + signed_index(f.index) + "]";
+             return "[" + std::to_string(static_cast<int>(f.kind)) + ", " + signed_index(f.index) +
+                    "]";
            });
   if (!mesh.edges.empty())
     out += ",\n    \"edges\": " + json_array(mesh.edges.size(), "    ", [&](std::size_t i) {
-      const MeshEdge& e = mesh.edges[i];
-      return "[" + std::to_string(e.a) + ", " + std::to_string(e.b) + ", " + signed_index(e.segment) + "]";
-    });
+             const MeshEdge& e = mesh.edges[i];
+             return "[" + std::to_string(e.a) + ", " + std::to_string(e.b) + ", " +
+                    signed_index(e.segment) + "]";
+           });
   if (!mesh.facets.empty())
     out += ",\n    \"facets\": " + json_array(mesh.facets.size(), "    ", [&](std::size_t i) {
-      const MeshFacet& f = mesh.facets[i];
-      return "[" + std::to_string(f.a) + ", " + std::to_string(f.b) + ", " + std::to_string(f.c) +
-             ", " + signed_index(f.face) + "]";
-    });
+             const MeshFacet& f = mesh.facets[i];
+             return "[" + std::to_string(f.a) + ", " + std::to_string(f.b) + ", " +
+                    std::to_string(f.c) + ", " + signed_index(f.face) + "]";
+           });
   return out + "\n  }\n}\n";
 }
 

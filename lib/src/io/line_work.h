@@ -11,8 +11,8 @@
 
 namespace circumball::io {
 
-/// Builds a complex of the plane from drawn lines: points with equal bits are one vertex, in order of appearance;
-/// lines of no length and lines drawn twice are dropped.
+/// Builds a complex of the plane from drawn lines: points with equal bits are one vertex, in order
+/// of appearance; lines of no length and lines drawn twice are dropped.
 class LineWork {
  public:
   explicit LineWork(Complex* complex) : complex_(*complex) {}

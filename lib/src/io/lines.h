@@ -6,8 +6,9 @@
 
 namespace circumball::io {
 
-/// Walks over the lines of a text that hold anything but a comment (from '#' on), and over the words of a line.
-/// Words are parted by white space or commas; lines end with LF, CR LF or CR. Nothing is copied.
+/// Walks over the lines of a text that hold anything but a comment (from '#' on), and over the
+/// words of a line. Words are parted by white space or commas; lines end with LF, CR LF or CR.
+/// Nothing is copied.
 class Lines {
  public:
   explicit Lines(std::string_view text) : text_(text) {}

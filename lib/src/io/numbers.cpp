@@ -22,7 +22,8 @@ std::size_t starts_with_word(std::string_view text, std::string_view word) {
   return word.size();
 }
 
-/// Whether the decimal number `text` (without sign, not zero) is above 1: tells overflow from underflow.
+/// Whether the decimal number `text` (without sign, not zero) is above 1: tells overflow from
+/// underflow.
 bool is_large(std::string_view text) {
   std::int64_t magnitude = 0;  // power of ten of the first digit that is not zero
   bool point = false, nonzero = false;
@@ -49,8 +50,9 @@ bool is_large(std::string_view text) {
 /// Correctly rounded value of an unsigned decimal number whose grammar has been checked.
 double convert(std::string_view text) {
 #if defined(_LIBCPP_VERSION) && _LIBCPP_VERSION < 200000
-  // libc++ has no from_chars for doubles before version 20. musl's strtod rounds correctly, knows no other decimal
-  // point, and the grammar leaves it nothing else to understand (no hexadecimal, no white space).
+  // libc++ has no from_chars for doubles before version 20. musl's strtod rounds correctly, knows
+  // no other decimal point, and the grammar leaves it nothing else to understand (no hexadecimal,
+  // no white space).
   (void)is_large;
   return std::strtod(std::string(text).c_str(), nullptr);
 #else
@@ -114,8 +116,9 @@ std::optional<std::int64_t> parse_integer(std::string_view text) {
 
 }  // namespace io
 
-// The shortest digits that read back are unique, their layout is not: it is laid out here as ECMAScript does
-// (ECMA-262, Number::toString), so that the page and the command print the same text; but zero keeps its sign.
+// The shortest digits that read back are unique, their layout is not: it is laid out here as
+// ECMAScript does (ECMA-262, Number::toString), so that the page and the command print the same
+// text; but zero keeps its sign.
 std::string format_double(double value) {
   if (value != value) return "nan";
   if (value > std::numeric_limits<double>::max()) return "inf";
@@ -134,14 +137,14 @@ std::string format_double(double value) {
   std::string digits(1, text[0]);
   if (e > 2) digits += text.substr(2, e - 2);
   const int count = static_cast<int>(digits.size());
-  const int point = static_cast<int>(*io::parse_integer(text.substr(e + 1))) + 1;  // digits before it
+  const int point =
+      static_cast<int>(*io::parse_integer(text.substr(e + 1))) + 1;  // digits before it
   if (point > 21 || point < -5) {
     out += digits[0];
     if (count > 1) out.append(".").append(digits, 1, std::string::npos);
     return out + (point > 0 ? "e+" : "e") + std::to_string(point - 1);
   }
-  if (point <= 0)
-    return out + "0." + std::string(static_cast<std::size_t>(-point), '0') + digits;
+  if (point <= 0) return out + "0." + std::string(static_cast<std::size_t>(-point), '0') + digits;
   if (count <= point)
     return out + digits + std::string(static_cast<std::size_t>(point - count), '0');
   return out + digits.substr(0, static_cast<std::size_t>(point)) + "." +

@@ -9,12 +9,13 @@
 /// Numbers in text, the same on every platform and in every locale.
 namespace circumball::io {
 
-/// Length of the longest prefix of `text` that is a decimal number: an optional sign, digits with at most one
-/// point among or around them, an optional exponent; or "nan", "inf", "infinity" in any case. 0 if there is none.
+/// Length of the longest prefix of `text` that is a decimal number: an optional sign, digits with
+/// at most one point among or around them, an optional exponent; or "nan", "inf", "infinity" in any
+/// case. 0 if there is none.
 std::size_t number_length(std::string_view text);
 
-/// The double nearest to the decimal number that is *all* of `text` (correctly rounded; too large: infinite, too
-/// small: zero, both with the sign). Nothing if `text` is anything else.
+/// The double nearest to the decimal number that is *all* of `text` (correctly rounded; too large:
+/// infinite, too small: zero, both with the sign). Nothing if `text` is anything else.
 std::optional<double> parse_double(std::string_view text);
 
 /// The integer that is all of `text`; nothing if it is anything else or does not fit.

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "io/formats.h"
 #include "io/lines.h"
 #include "io/numbers.h"
@@ -57,42 +59,50 @@ void refuse_unknown(std::string_view word, ReadResult& result) {
          "the content is none of the formats that can be read: give " + known);
 }
 
+/// Finds out what the bytes are, and reads them.
+void read_any(std::string_view bytes, const std::string& name, const Sibling& sibling,
+              ReadResult& result) {
+  if (bytes.size() > kMaxBytes) {
+    fail(result, "too-large",
+         "the file has " + std::to_string(bytes.size()) + " bytes, more than the " +
+             std::to_string(kMaxBytes) + " that are read: split it");
+    return;
+  }
+  if (bytes.substr(0, 3) == "\xef\xbb\xbf") bytes.remove_prefix(3);  // byte order mark
+  std::string_view body = bytes;
+  while (!body.empty() && is_white(body.front())) body.remove_prefix(1);
+  if (body.empty()) {
+    fail(result, "empty", "the file is empty: write a complex into it");
+    return;
+  }
+  if (bytes.find('\0') != std::string_view::npos) return refuse_unknown("", result);  // binary
+  if (body.front() == '{') return read_json(bytes, result);
+  if (body.front() == '<') return read_svg(bytes, result);
+  Lines lines(bytes);
+  if (!lines.next()) {
+    fail(result, "empty", "the file holds comments only: write a complex into it");
+    return;
+  }
+  const std::string_view first = lines.word();
+  if (number_length(first) == first.size()) return read_triangle(bytes, name, sibling, result);
+  if (first == "OFF") return read_off(bytes, result);
+  // The words that an OBJ file may start with (Wavefront Advanced Visualizer, appendix B1).
+  static constexpr std::string_view kWords[] = {"v", "vt", "vn", "vp", "o",      "g",
+                                                "s", "l",  "f",  "p",  "mtllib", "usemtl"};
+  if (std::find(std::begin(kWords), std::end(kWords), first) != std::end(kWords))
+    return read_obj(bytes, result);
+  refuse_unknown(first, result);
+}
+
 }  // namespace
 }  // namespace io
 
 ReadResult read(std::string_view bytes, const std::string& name, const Sibling& sibling) {
   ReadResult result;
-  if (bytes.size() > io::kMaxBytes) {
-    io::fail(result, "too-large",
-             "the file has " + std::to_string(bytes.size()) + " bytes, more than the " +
-                 std::to_string(io::kMaxBytes) + " that are read: split it");
-    return result;
-  }
-  if (bytes.substr(0, 3) == "\xef\xbb\xbf") bytes.remove_prefix(3);  // byte order mark
-  std::string_view body = bytes;
-  while (!body.empty() && io::is_white(body.front())) body.remove_prefix(1);
-  if (body.empty()) {
-    io::fail(result, "empty", "the file is empty: write a complex into it");
-    return result;
-  }
-  if (bytes.find('\0') != std::string_view::npos) {
-    io::refuse_unknown("", result);
-    return result;
-  }
-  if (body.front() == '{') {
-    io::read_json(bytes, result);
-    return result;
-  }
-  io::Lines lines(bytes);
-  if (!lines.next()) {
-    io::fail(result, "empty", "the file holds comments only: write a complex into it");
-    return result;
-  }
-  const std::string_view first = lines.word();
-  if (io::number_length(first) == first.size()) {
-    io::read_triangle(bytes, name, sibling, result);
-  } else {
-    io::refuse_unknown(first, result);
+  io::read_any(bytes, name, sibling, result);
+  if (!result.ok()) {  // half a complex may have indices that lead nowhere: nobody gets to see it
+    result.complex = Complex();
+    result.mesh.reset();
   }
   return result;
 }

@@ -6,11 +6,13 @@
 #include "io/lines.h"
 #include "io/numbers.h"
 
-// The files of Triangle (J. R. Shewchuk, https://www.cs.cmu.edu/~quake/triangle.html, pages .node, .poly, .ele, .edge).
+// The files of Triangle (J. R. Shewchuk, https://www.cs.cmu.edu/~quake/triangle.html, pages .node,
+// .poly, .ele, .edge).
 namespace circumball::io {
 namespace {
 
-/// One file of the family: its lines, and what to call it in a message ("" for the file that was asked for).
+/// One file of the family: its lines, and what to call it in a message ("" for the file that was
+/// asked for).
 class Parser {
  public:
   Parser(std::string_view bytes, std::string file, ReadResult& result)
@@ -19,7 +21,8 @@ class Parser {
   Lines& lines() { return lines_; }
 
   bool fail_here(const char* name, const std::string& message) {
-    return fail_at(result_, lines_.number(), name, file_.empty() ? message : file_ + ": " + message);
+    return fail_at(result_, lines_.number(), name,
+                   file_.empty() ? message : file_ + ": " + message);
   }
 
   /// The next word as an integer; `missing` where the line has ended (nothing: that is a defect).
@@ -57,7 +60,8 @@ class Parser {
     return true;
   }
 
-  /// The next word as the count of things that take at least `bytes_each` bytes in the lines that follow.
+  /// The next word as the count of things that take at least `bytes_each` bytes in the lines that
+  /// follow.
   bool count(const std::string& what, std::optional<std::int64_t> missing, std::size_t bytes_each,
              std::size_t* value) {
     std::int64_t n = 0;
@@ -126,8 +130,9 @@ bool read_node_header(Parser& p, NodeHeader* header) {
   if (!p.count("attributes", 0, 2 * header->vertices, &header->attributes)) return false;
   if (header->attributes > 0 &&
       header->vertices * (6 + 2 * header->attributes) > p.lines().remaining() + 1)
-    return p.fail_here("truncated", "the vertices and attributes that are promised take more bytes "
-                                    "than are left: the file is cut off, or a count is wrong");
+    return p.fail_here("truncated",
+                       "the vertices and attributes that are promised take more bytes "
+                       "than are left: the file is cut off, or a count is wrong");
   if (!p.integer("the number of boundary markers", 0, &markers)) return false;
   if (markers < 0 || markers > 1)
     return p.fail_here("syntax", "the number of boundary markers is " + std::to_string(markers) +
@@ -263,8 +268,8 @@ bool read_sibling_node(const std::string& name, const Sibling& sibling, Parser& 
   const std::string file = stem(name) + ".node";
   const auto bytes = sibling ? sibling(file) : std::nullopt;
   if (!bytes)
-    return asking.fail_here("missing-sibling",
-                            "the vertices are in " + file + ", which is not there: give it as well");
+    return asking.fail_here(
+        "missing-sibling", "the vertices are in " + file + ", which is not there: give it as well");
   Parser p(*bytes, file, result);
   return read_node(p, base, &result.complex);
 }
@@ -295,7 +300,8 @@ void read_node_or_poly(std::string_view bytes, const std::string& name, const Si
   if (read_segments(p, base, &result.complex)) read_seeds(p, &result.complex);
 }
 
-/// Segments of the .edge file beside a mesh: edges with a marker, or with a segment number in a fifth column.
+/// Segments of the .edge file beside a mesh: edges with a marker, or with a segment number in a
+/// fifth column.
 bool read_edges(Parser& p, const Base& base, ReadResult& result) {
   std::size_t count = 0;
   std::int64_t markers = 0, number = 0;
@@ -309,7 +315,8 @@ bool read_edges(Parser& p, const Base& base, ReadResult& result) {
     if (!p.next("edges", i, count)) return false;
     if (!p.integer("the edge number", std::nullopt, &number)) return false;
     if (!vertex_index(p, "the first end", base, mesh.vertices.size(), &edge.a)) return false;
-    if (p.lines().at_end_of_line()) return p.fail_here("syntax", "the edge has one end: add the other");
+    if (p.lines().at_end_of_line())
+      return p.fail_here("syntax", "the edge has one end: add the other");
     std::int64_t second = 0, feature = 0;
     if (!p.integer("the second end", std::nullopt, &second)) return false;
     if (second == -1) continue;  // an infinite ray of a Voronoi diagram
@@ -408,8 +415,9 @@ void read_ele(std::string_view bytes, const std::string& name, const Sibling& si
 
 void read_triangle(std::string_view bytes, const std::string& name, const Sibling& sibling,
                    ReadResult& result) {
-  // "n 2 …" starts a .node or .poly file, "n 3 a" or "n 6 a" an .ele file; a line of a .ele file has nothing but
-  // integers up to its corners, and a file of space ("n 3 a m") has four numbers. The name settles "n 3 a".
+  // "n 2 …" starts a .node or .poly file, "n 3 a" or "n 6 a" an .ele file; a line of a .ele file
+  // has nothing but integers up to its corners, and a file of space ("n 3 a m") has four numbers.
+  // The name settles "n 3 a".
   Lines header(bytes);
   header.next();
   header.word();
@@ -418,7 +426,8 @@ void read_triangle(std::string_view bytes, const std::string& name, const Siblin
   const bool four_numbers = !header.at_end_of_line();
   const std::string extension = extension_of(name);
   const bool named_otherwise = extension == ".node" || extension == ".poly";
-  if (extension == ".ele" || ((second == "3" || second == "6") && !four_numbers && !named_otherwise))
+  if (extension == ".ele" ||
+      ((second == "3" || second == "6") && !four_numbers && !named_otherwise))
     read_ele(bytes, name, sibling, result);
   else
     read_node_or_poly(bytes, name, sibling, result);

@@ -16,7 +16,8 @@ std::string nodes(const std::vector<Point3>& vertices, int attributes_per_vertex
   auto attributes = static_cast<std::size_t>(std::max(attributes_per_vertex, 0));
   if (all_attributes.size() != attributes * vertices.size()) attributes = 0;
   const bool marked = !vertices.empty() && markers.size() == vertices.size();
-  std::string out = number(vertices.size()) + " 2 " + number(attributes) + (marked ? " 1\n" : " 0\n");
+  std::string out =
+      number(vertices.size()) + " 2 " + number(attributes) + (marked ? " 1\n" : " 0\n");
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     out += number(i + 1) + " " + format_double(vertices[i].x) + " " + format_double(vertices[i].y);
     for (std::size_t k = 0; k < attributes; ++k)
@@ -66,8 +67,9 @@ std::string elements(const Mesh& mesh) {
   return out;
 }
 
-/// All edges of the mesh. Column 4 is the boundary marker, as Triangle has it; column 5 is ours: the number of the
-/// input segment that the edge lies on, 0 for none, -1 for one that is not numbered (the box, or unknown).
+/// All edges of the mesh. Column 4 is the boundary marker, as Triangle has it; column 5 is ours:
+/// the number of the input segment that the edge lies on, 0 for none, -1 for one that is not
+/// numbered (the box, or unknown).
 std::string edges(const Mesh& mesh) {
   struct Row {
     std::uint32_t a, b;
@@ -76,7 +78,8 @@ std::string edges(const Mesh& mesh) {
   constexpr std::size_t kNone = static_cast<std::size_t>(-1);
   std::vector<Row> rows;
   rows.reserve(mesh.cells.size() + mesh.edges.size());
-  for (std::size_t i = 0; i < mesh.edges.size(); ++i) rows.push_back({mesh.edges[i].a, mesh.edges[i].b, i});
+  for (std::size_t i = 0; i < mesh.edges.size(); ++i)
+    rows.push_back({mesh.edges[i].a, mesh.edges[i].b, i});
   for (std::size_t i = 0; i < mesh.cell_count(); ++i)
     for (std::size_t k = 0; k < 3; ++k)
       rows.push_back({mesh.cell(i)[k], mesh.cell(i)[(k + 1) % 3], kNone});
@@ -98,7 +101,8 @@ std::string edges(const Mesh& mesh) {
       continue;
     }
     const std::uint32_t segment = mesh.edges[r.subsegment].segment;
-    out += " " + (mesh.edge_markers.empty() ? "1" : std::to_string(mesh.edge_markers[r.subsegment])) +
+    out += " " +
+           (mesh.edge_markers.empty() ? "1" : std::to_string(mesh.edge_markers[r.subsegment])) +
            " " + (segment == kNoIndex ? "-1" : number(std::size_t{segment} + 1)) + "\n";
   }
   return out;
@@ -112,10 +116,10 @@ std::string write_triangle_node(const Complex& complex) {
 }
 
 std::string write_triangle_poly(const Complex& complex) {
-  return write_triangle_node(complex) +
-         segments_and_seeds(
-             complex.segments.size(), [&](std::size_t i) { return complex.segments[i]; },
-             complex.segment_markers, complex);
+  return write_triangle_node(complex) + segments_and_seeds(
+                                            complex.segments.size(),
+                                            [&](std::size_t i) { return complex.segments[i]; },
+                                            complex.segment_markers, complex);
 }
 
 std::vector<OutputFile> write_triangle_mesh(const Mesh& mesh, const Complex& complex) {

@@ -1,0 +1,29 @@
+#ifndef CIRCUMBALL_IO_POLYGON_SOUP_H_
+#define CIRCUMBALL_IO_POLYGON_SOUP_H_
+
+#include <cstdint>
+#include <vector>
+
+#include "circumball/io.h"
+
+namespace circumball::io {
+
+/// Polygons over a list of vertices, as OBJ and OFF files hold them.
+struct PolygonSoup {
+  std::vector<Point3> vertices;
+  std::vector<std::uint32_t> corners;
+  std::vector<std::uint32_t> ends{0};  ///< polygon i has the corners [ends[i], ends[i + 1])
+  std::vector<std::array<std::uint32_t, 2>> segments;  ///< lines that are drawn beside the polygons
+
+  std::size_t polygon_count() const { return ends.size() - 1; }
+  void end_polygon() { ends.push_back(static_cast<std::uint32_t>(corners.size())); }
+};
+
+/// Makes a complex, and where it can a mesh, of a soup. In the plane z = 0: triangles are the cells
+/// of a mesh, whose boundary is the complex where no lines are drawn; other polygons give their
+/// sides as segments. In space every polygon is a face.
+void take_soup(PolygonSoup&& soup, ReadResult& result);
+
+}  // namespace circumball::io
+
+#endif  // CIRCUMBALL_IO_POLYGON_SOUP_H_
