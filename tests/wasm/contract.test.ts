@@ -1,0 +1,213 @@
+// The typed face and the built module say the same: every declared function is there, nothing else is, and what each
+// returns has the declared type, on good input and on bad.
+import { fileURLToPath } from 'node:url';
+import createCircumball, { type CircumballModule, type Progress } from 'circumball';
+import { beforeAll, describe, expect, it } from 'vitest';
+import { nonconformity, readInterface } from './conforms';
+
+const declarations = fileURLToPath(new URL('../../wasm/circumball.d.mts', import.meta.url));
+const { checker, members } = readInterface(declarations, 'CircumballModule');
+
+/** Whether what a function of the face returned is of the declared type. */
+function expectDeclared(name: keyof CircumballModule, value: unknown) {
+  const member = members.find((candidate) => candidate.name === name)!;
+  const signature = checker.getTypeOfSymbol(member).getCallSignatures()[0]!;
+  expect(nonconformity(value, signature.getReturnType(), checker, name)).toBe('');
+}
+
+const square = {
+  circumball: 1,
+  dimension: 2,
+  vertices: [
+    [0, 0],
+    [1, 0],
+    [1, 1],
+    [0, 1],
+  ],
+  segments: [
+    [0, 1],
+    [1, 2],
+    [2, 3],
+    [3, 0],
+  ],
+};
+const squareText = JSON.stringify(square);
+const crossing = JSON.stringify({
+  ...square,
+  segments: [
+    [0, 2],
+    [1, 3],
+  ],
+});
+const bytes = (text: string) => new TextEncoder().encode(text);
+
+let core: CircumballModule;
+beforeAll(async () => {
+  core = await createCircumball();
+});
+
+/** A finished run of Ruppert's algorithm with small triangles. */
+function finishedRun(options = {}) {
+  const answer = core.start(
+    squareText,
+    JSON.stringify({ algorithm: 'ruppert', size: '0.1', ...options }),
+  );
+  expect(answer.error).toBe('');
+  let progress: Progress;
+  do progress = core.advance(answer.run, 100, 0);
+  while (progress.status === 'running');
+  return answer.run;
+}
+
+describe('the module', () => {
+  it('has exactly the declared functions', () => {
+    expect(Object.keys(core).sort()).toEqual(members.map((member) => member.name).sort());
+    for (const value of Object.values(core)) expect(typeof value).toBe('function');
+  });
+
+  it('takes as many arguments as declared', () => {
+    for (const member of members) {
+      const signature = checker.getTypeOfSymbol(member).getCallSignatures()[0]!;
+      const implemented = core[member.name as keyof CircumballModule];
+      expect([member.name, implemented.length]).toEqual([member.name, signature.parameters.length]);
+    }
+  });
+
+  it('says its version and that its arithmetic is sound', () => {
+    expect(core.version()).toMatch(/^\d+\.\d+\.\d+$/);
+    expect(core.selfTest()).toBe('');
+  });
+
+  it('lists the algorithms and the names of the trace', () => {
+    expectDeclared('algorithms', core.algorithms());
+    expect(core.algorithms().map(({ id }) => id)).toContain('ruppert');
+    const names = core.traceNames();
+    expectDeclared('traceNames', names);
+    expect(names.kinds[6]).toBe('inserted');
+    expect(names.reasons[3]).toBe('radius-edge');
+  });
+});
+
+describe('read', () => {
+  it('reads a file with its sibling', () => {
+    const answer = core.read([
+      { name: 'box.poly', bytes: bytes('0 2 0 0\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n') },
+      { name: 'box.node', bytes: bytes('3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n') },
+    ]);
+    expectDeclared('read', answer);
+    expect(answer.defects).toEqual([]);
+    expect(answer.complex.vertices).toHaveLength(3);
+    expect(answer.complex.segments).toHaveLength(3);
+  });
+
+  it('answers hostile bytes with defects', () => {
+    for (const text of ['', '\0\0\0', '9999999999 2 0 0\n', '{"circumball": 1', '[[[[[[']) {
+      const answer = core.read([{ name: 'bad.poly', bytes: bytes(text) }]);
+      expectDeclared('read', answer);
+      expect(answer.ok).toBe(false);
+      expect(answer.defects.length).toBeGreaterThan(0);
+    }
+  });
+});
+
+describe('check', () => {
+  it('finds nothing in a square and the crossing of its diagonals', () => {
+    expect(core.check(squareText)).toEqual([]);
+    const defects = core.check(crossing);
+    expectDeclared('check', defects);
+    expect(defects.map(({ name }) => name)).toContain('segments-cross');
+  });
+});
+
+describe('a run', () => {
+  it('answers a wrong complex with its defects and wrong options with a sentence', () => {
+    const invalid = core.start(crossing, '{}');
+    expectDeclared('start', invalid);
+    expect(invalid.ok).toBe(false);
+    expect(invalid.defects.length).toBeGreaterThan(0);
+    for (const options of ['{"algorithm": "nobody"}', '{"tau": "two"}', '{"tua": 2}', '[', '3']) {
+      const answer = core.start(squareText, options);
+      expectDeclared('start', answer);
+      expect(answer.ok).toBe(false);
+      expect(answer.error).not.toBe('');
+    }
+  });
+
+  it('advances, and gives mesh, report and files of the declared types', () => {
+    const run = finishedRun();
+    expectDeclared('advance', core.advance(run, 1, 0));
+    const mesh = core.mesh(run)!;
+    expectDeclared('mesh', mesh);
+    expect(mesh.cells.length % 3).toBe(0);
+    expect(Math.max(...mesh.cells)).toBeLessThan(mesh.vertices.length / 2);
+    expect(mesh.vertexFeatures.length).toBe(mesh.vertices.length);
+    const report = core.report(run, true)!;
+    expectDeclared('report', report);
+    expect(report.status).toBe('complete');
+    expect(report.mesh.cells).toBe(mesh.cells.length / 3);
+    expect(report.checks.length).toBeGreaterThan(0);
+    for (const check of report.checks) expect(check).toMatchObject({ ok: true });
+    for (const extension of core.meshExtensions(2)) {
+      const files = core.write(run, extension);
+      expectDeclared('write', files);
+      expect([extension, files.error]).toEqual([extension, '']);
+    }
+    core.release(run);
+    expect(core.mesh(run)).toBeNull();
+    expect(core.report(run, false)).toBeNull();
+  });
+
+  it('hands out the trace once, in events of 64 bytes', () => {
+    const run = finishedRun();
+    const chunk = core.takeTrace(run);
+    expectDeclared('takeTrace', chunk);
+    expect(chunk.events.length).toBeGreaterThan(0);
+    expect(chunk.events.length % 64).toBe(0);
+    expect(chunk.simplices.length % 4).toBe(0);
+    expect(core.takeTrace(run).events).toHaveLength(0);
+    core.release(run);
+  });
+
+  it('is the same whether advanced at once or one iteration at a time', () => {
+    const once = core.start(squareText, '{"algorithm":"ruppert","size":"0.1"}').run;
+    core.advance(once, 0, 0);
+    const stepped = core.start(squareText, '{"algorithm":"ruppert","size":"0.1"}').run;
+    while (core.advance(stepped, 1, 0).status === 'running');
+    expect(core.report(stepped, false)!.fingerprint).toBe(core.report(once, false)!.fingerprint);
+    core.release(once);
+    core.release(stepped);
+  });
+
+  it('can be cancelled, and keeps its mesh', () => {
+    const { run } = core.start(squareText, '{"algorithm":"ruppert","size":"0.01"}');
+    core.advance(run, 200, 0);
+    const progress = core.cancel(run);
+    expectDeclared('cancel', progress);
+    expect(progress.status).toBe('cancelled');
+    expect(core.mesh(run)!.cells.length).toBeGreaterThan(0);
+    expect(core.report(run, false)!.status).toBe('cancelled');
+    core.release(run);
+  });
+
+  it('that does not exist is answered, not thrown at', () => {
+    expectDeclared('advance', core.advance(999, 1, 0));
+    expectDeclared('cancel', core.cancel(999));
+    expectDeclared('takeTrace', core.takeTrace(999));
+    expect(core.write(999, '.ele').ok).toBe(false);
+    core.release(999);
+  });
+});
+
+describe('writeComplex', () => {
+  it('writes what it read', () => {
+    const files = core.writeComplex(squareText, '.poly');
+    expectDeclared('writeComplex', files);
+    expect(files.error).toBe('');
+    const again = core.read(
+      files.files.map(({ extension, bytes }) => ({ name: `square${extension}`, bytes })),
+    );
+    expect(again.complex.vertices).toEqual(square.vertices);
+    expect(core.writeComplex(squareText, '.nothing').ok).toBe(false);
+    expect(core.writeComplex('nonsense', '.poly').ok).toBe(false);
+  });
+});
