@@ -2,9 +2,19 @@
 #define CIRCUMBALL_PREDICATES_FAST_H_
 
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 
 #include "circumball/types.h"
 #include "predicates/counters.h"
+
+#if defined(__GNUC__)
+#define CIRCUMBALL_COLD __attribute__((cold, noinline))
+#define CIRCUMBALL_LIKELY(condition) __builtin_expect(static_cast<bool>(condition), 1)
+#else
+#define CIRCUMBALL_COLD
+#define CIRCUMBALL_LIKELY(condition) (condition)
+#endif
 
 /// Predicates for the kernels: the filter is inline, what follows it is not.
 ///
@@ -30,37 +40,58 @@
 namespace circumball {
 
 namespace internal {
-/// The stages after the filter. They return a double of the exact sign.
-double orient2d_exact(double ax, double ay, double bx, double by, double cx, double cy);
-double orient3d_exact(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
-double incircle_exact(double ax, double ay, double bx, double by, double cx, double cy, double dx,
-                      double dy);
-double insphere_exact(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
-                      const Point3& e);
-double segment_ball2_exact(double ax, double ay, double bx, double by, double px, double py);
-double segment_ball3_exact(const Point3& a, const Point3& b, const Point3& p);
-double triangle_ball_exact(const Point3& a, const Point3& b, const Point3& c, const Point3& p);
-double compare_distance_exact(const Point2& a, const Point2& b, const Point2& c, const Point2& d);
+/// The stages after the filter. They return a double of the exact sign. `cold` keeps them, and what
+/// a call to them costs in registers, out of the hot path.
+CIRCUMBALL_COLD double orient2d_exact(double ax, double ay, double bx, double by, double cx,
+                                      double cy);
+CIRCUMBALL_COLD double orient3d_exact(const Point3& a, const Point3& b, const Point3& c,
+                                      const Point3& d);
+CIRCUMBALL_COLD double incircle_exact(double ax, double ay, double bx, double by, double cx,
+                                      double cy, double dx, double dy);
+CIRCUMBALL_COLD double insphere_exact(const Point3& a, const Point3& b, const Point3& c,
+                                      const Point3& d, const Point3& e);
+CIRCUMBALL_COLD double segment_ball2_exact(double ax, double ay, double bx, double by, double px,
+                                           double py);
+CIRCUMBALL_COLD double segment_ball3_exact(const Point3& a, const Point3& b, const Point3& p);
+CIRCUMBALL_COLD double triangle_ball_exact(const Point3& a, const Point3& b, const Point3& c,
+                                           const Point3& p);
+CIRCUMBALL_COLD double compare_distance_exact(const Point2& a, const Point2& b, const Point2& c,
+                                              const Point2& d);
 
 constexpr double kEpsilon = 0x1p-53;  ///< the unit roundoff: half a unit in the last place of 1
 
-constexpr double kOrient2dBound = 3.5 * kEpsilon;
+constexpr double kOrient2dBound = 7 * kEpsilon;
 constexpr double kOrient3dBound = 7.5 * kEpsilon;
 constexpr double kIncircleBound = 10.5 * kEpsilon;
 constexpr double kInsphereBound = 2.3 * kEpsilon;
-constexpr double kSegmentBall2Bound = 3.5 * kEpsilon;
-constexpr double kSegmentBall3Bound = 4.5 * kEpsilon;
+constexpr double kSegmentBall2Bound = 7 * kEpsilon;
+constexpr double kSegmentBall3Bound = 9 * kEpsilon;
 constexpr double kTriangleBallBound = 20 * kEpsilon;
-constexpr double kDistanceBound = 4.5 * kEpsilon;
+constexpr double kDistanceBound = 9 * kEpsilon;
+
+/// At least sqrt(x) and at most 1.07 sqrt(x), for positive normal x, by halving the exponent with
+/// the mantissa for its fraction: x = 4^k (1 + f) gives 2^k (1 + f / 2), and x = 4^k 2 (1 + f)
+/// gives 2^k (3 + f) / 2; the inequality of the means says that neither is too small. std::sqrt
+/// might have to set errno, which costs more than the rest of a filter.
+inline double sqrt_bound(double x) {
+  std::uint64_t bits;
+  std::memcpy(&bits, &x, sizeof bits);
+  bits = (bits >> 1) + 0x1ff8000000000000u;  // half of the exponent's bias of 1023, in place
+  double bound;
+  std::memcpy(&bound, &bits, sizeof bound);
+  return bound;
+}
 }  // namespace internal
 
 /// Sign of orient2d(a, b, c).
-/// k = 3 (two differences, a product); P is computed as it stands (Shewchuk 1997, section 4.1).
+/// k = 3 (two differences, a product), P = |left| + |right| <= |left - right| + 2 |right| (so do
+/// with one of the two, which saves an addition to Shewchuk's filter of 1997, section 4.1): if
+/// |det| >= 7 eps |right|, then 3 eps P <= 3 eps |det| + 6/7 |det| < |det|.
 inline double orient2d_filtered(double ax, double ay, double bx, double by, double cx, double cy) {
   const double left = (ax - cx) * (by - cy);
   const double right = (ay - cy) * (bx - cx);
   const double det = left - right;
-  if (std::fabs(det) >= internal::kOrient2dBound * (std::fabs(left) + std::fabs(right))) {
+  if (CIRCUMBALL_LIKELY(std::fabs(det) >= internal::kOrient2dBound * std::fabs(right))) {
     internal::count_filter(internal::Predicate::kOrient2d);
     return det;
   }
@@ -81,7 +112,7 @@ inline double incircle_filtered(double ax, double ay, double bx, double by, doub
   const double c2 = cdx * cdx + cdy * cdy;
   const double det =
       a2 * (bdx * cdy - cdx * bdy) + b2 * (cdx * ady - adx * cdy) + c2 * (adx * bdy - bdx * ady);
-  if (std::fabs(det) >= internal::kIncircleBound * (a2 * (b2 + c2) + b2 * c2)) {
+  if (CIRCUMBALL_LIKELY(std::fabs(det) >= internal::kIncircleBound * (a2 * (b2 + c2) + b2 * c2))) {
     internal::count_filter(internal::Predicate::kIncircle);
     return det;
   }
@@ -103,7 +134,7 @@ inline double orient3d_filtered(const Point3& a, const Point3& b, const Point3& 
   const double permanent = std::fabs(adz) * (std::fabs(bc) + std::fabs(cb)) +
                            std::fabs(bdz) * (std::fabs(ca) + std::fabs(ac)) +
                            std::fabs(cdz) * (std::fabs(ab) + std::fabs(ba));
-  if (std::fabs(det) >= internal::kOrient3dBound * permanent) {
+  if (CIRCUMBALL_LIKELY(std::fabs(det) >= internal::kOrient3dBound * permanent)) {
     internal::count_filter(internal::Predicate::kOrient3d);
     return det;
   }
@@ -138,38 +169,52 @@ inline double insphere_filtered(const Point3& a, const Point3& b, const Point3& 
   const double d2 = dex * dex + dey * dey + dez * dez;
   const double det = (d2 * abc - c2 * dab) + (b2 * cda - a2 * bcd);
   const double sum = (a2 + b2) + (c2 + d2);
-  if (std::fabs(det) >= internal::kInsphereBound * (sum * sum * std::sqrt(sum))) {
+  if (CIRCUMBALL_LIKELY(std::fabs(det) >=
+                        internal::kInsphereBound * (sum * sum * internal::sqrt_bound(sum)))) {
     internal::count_filter(internal::Predicate::kInsphere);
     return det;
   }
   return internal::insphere_exact(a, b, c, d, e);
 }
 
-/// Sign of in_diametral_ball(a, b, p) in the plane: (a - p) . (p - b). k = 3, P as it stands.
+/// Sign of in_diametral_ball(a, b, p) in the plane: (a - p) . (p - b). k = 3, P as in orient2d.
 inline double in_segment_ball_filtered(double ax, double ay, double bx, double by, double px,
                                        double py) {
   const double s = (ax - px) * (px - bx);
   const double t = (ay - py) * (py - by);
   const double dot = s + t;
-  if (std::fabs(dot) >= internal::kSegmentBall2Bound * (std::fabs(s) + std::fabs(t))) {
+  if (CIRCUMBALL_LIKELY(std::fabs(dot) >= internal::kSegmentBall2Bound * std::fabs(t))) {
     internal::count_filter(internal::Predicate::kSegmentBall2);
     return dot;
   }
   return internal::segment_ball2_exact(ax, ay, bx, by, px, py);
 }
 
-/// Sign of in_diametral_ball(a, b, p) in space. k = 4, P as it stands.
+/// Sign of in_diametral_ball(a, b, p) in space.
+/// k = 4 (two differences, a product, one of two sums), P <= |dot| + 2 (|t| + |u|) as in orient2d.
 inline double in_segment_ball_filtered(const Point3& a, const Point3& b, const Point3& p) {
   const double s = (a.x - p.x) * (p.x - b.x);
   const double t = (a.y - p.y) * (p.y - b.y);
   const double u = (a.z - p.z) * (p.z - b.z);
   const double dot = s + t + u;
-  if (std::fabs(dot) >=
-      internal::kSegmentBall3Bound * (std::fabs(s) + std::fabs(t) + std::fabs(u))) {
+  if (CIRCUMBALL_LIKELY(std::fabs(dot) >=
+                        internal::kSegmentBall3Bound * (std::fabs(t) + std::fabs(u)))) {
     internal::count_filter(internal::Predicate::kSegmentBall3);
     return dot;
   }
   return internal::segment_ball3_exact(a, b, p);
+}
+
+/// Sign of compare_distance(a, b, c, d). k = 4 (two differences, a square, a sum), P = |ab|^2 +
+/// |cd|^2 as in orient2d.
+inline double compare_distance_filtered(const Point2& a, const Point2& b, const Point2& c,
+                                        const Point2& d) {
+  const double abx = a.x - b.x, aby = a.y - b.y;
+  const double cdx = c.x - d.x, cdy = c.y - d.y;
+  const double cd2 = cdx * cdx + cdy * cdy;
+  const double det = (abx * abx + aby * aby) - cd2;
+  if (CIRCUMBALL_LIKELY(std::fabs(det) >= internal::kDistanceBound * cd2)) return det;
+  return internal::compare_distance_exact(a, b, c, d);
 }
 
 /// Sign of in_diametral_ball(a, b, c, p): the smallest ball through a triangle in space.
@@ -202,7 +247,7 @@ inline double in_triangle_ball_filtered(const Point3& a, const Point3& b, const 
   const double uuvv = uu * vv;
   const double det = uuvv * (qu + qv - qq) - uv * (uu * qv + vv * qu - uv * qq);
   const double bound = internal::kTriangleBallBound * (uuvv * (uu + vv + 4 * qq));
-  if (std::fabs(det) > bound && bound >= 0x1p-1000) {
+  if (CIRCUMBALL_LIKELY(std::fabs(det) > bound && bound >= 0x1p-1000)) {
     internal::count_filter(internal::Predicate::kTriangleBall);
     return det;
   }

@@ -1,7 +1,5 @@
 #include "circumball/predicates.h"
 
-#include <cmath>
-
 #include "predicates/fast.h"
 
 namespace circumball {
@@ -50,15 +48,7 @@ Sign in_diametral_ball(const Point3& a, const Point3& b, const Point3& c, const 
 }
 
 Sign compare_distance(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
-  // k = 4: two differences, a square, a sum; the last difference is not counted (see
-  // predicates/fast.h).
-  const double abx = a.x - b.x, aby = a.y - b.y;
-  const double cdx = c.x - d.x, cdy = c.y - d.y;
-  const double ab2 = abx * abx + aby * aby;
-  const double cd2 = cdx * cdx + cdy * cdy;
-  const double det = ab2 - cd2;
-  if (std::fabs(det) >= internal::kDistanceBound * (ab2 + cd2)) return sign_of(det);
-  return sign_of(internal::compare_distance_exact(a, b, c, d));
+  return sign_of(compare_distance_filtered(a, b, c, d));
 }
 
 AllPredicateCounters predicate_counters() {
