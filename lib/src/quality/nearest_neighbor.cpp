@@ -1,0 +1,59 @@
+#include <cmath>
+
+#include "complex/box_tree.h"
+#include "feature_size/feature_size.h"
+#include "quality/context.h"
+
+namespace circumball {
+namespace {
+/// Both sides are distances of a few ulp accuracy, and equality is attained (thesis, Theorem 2.3).
+constexpr double kSlack = 1e-10;
+}  // namespace
+
+/// Features that a closed domain does not touch are left alone by the mesher: they do not count.
+Check check_nearest_neighbor(const VerifyContext& context) {
+  Check check;
+  check.name = "nearest-neighbor";
+  const double bound = std::sqrt(2.0);
+  check.bound = bound;
+  const FeatureSizes sizes(context.complex, [&](const Feature& f) {
+    return f.kind == FeatureKind::kVertex ? context.vertex_wanted[f.index] != 0 : context.segment_wanted[f.index] != 0;
+  });
+  std::vector<Box2> boxes;
+  std::vector<std::uint32_t> item_of_vertex(context.mesh.vertices.size(), kNoIndex);
+  for (std::uint32_t v = 0; v < context.mesh.vertices.size(); ++v) {
+    const Point2 p = context.point(v);
+    if (!usable(p.x) || !usable(p.y)) continue;
+    item_of_vertex[v] = static_cast<std::uint32_t>(boxes.size());
+    boxes.push_back(Box2::of(p));
+  }
+  const BoxTree tree(std::move(boxes));
+  double worst = 0;
+  std::size_t bad = 0, looked_at = 0;
+  for (std::uint32_t i = 0; i < context.complex.vertices.size(); ++i) {
+    const std::uint32_t v = context.mesh_vertex[i];
+    if (!context.vertex_wanted[i] || v == kNoIndex || item_of_vertex[v] == kNoIndex) continue;
+    ++looked_at;
+    const Point2 q0 = context.point(v);
+    const double n = nearest_neighbor(tree, q0, item_of_vertex[v]);
+    const double lfs = sizes.local(q0);
+    if (std::isinf(lfs)) continue;  // no two disjoint features
+    const double ratio = n / lfs;
+    bad += ratio > bound * (1 + kSlack);
+    if (ratio > worst) {
+      worst = ratio;
+      check.worst = {v};
+    }
+  }
+  check.ok = bad == 0;
+  check.observed = worst;
+  check.detail = bad == 0 ? "N(q0) <= sqrt 2 lfs(q0) at " + std::to_string(looked_at) +
+                                " input vertices (thesis, Theorem 2.3), lfs from the input features by definition"
+                          : "N(q0) > sqrt 2 lfs(q0) at " + std::to_string(bad) + " of " + std::to_string(looked_at) +
+                                " input vertices (thesis, Theorem 2.3)";
+  if (!check.worst.empty())
+    check.detail += "; the largest ratio is " + value_text(worst) + ", at vertex " + vertices_text(check.worst);
+  return check;
+}
+
+}  // namespace circumball
