@@ -1,12 +1,22 @@
 #include "io/numbers.h"
 
+#include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <string>
 #include <system_error>
 
 #include "circumball/io.h"
+
+// libc++ has no from_chars for doubles before version 20, and that of Emscripten 3.1 no to_chars
+// either. There musl's strtod rounds correctly and knows no other decimal point; fmt finds the same
+// shortest digits (Jeon's Dragonbox).
+#ifndef __cpp_lib_to_chars
+#define FMT_HEADER_ONLY
+#include <fmt/format.h>
+#endif
 
 namespace circumball {
 namespace io {
@@ -49,12 +59,10 @@ bool is_large(std::string_view text) {
 
 /// Correctly rounded value of an unsigned decimal number whose grammar has been checked.
 double convert(std::string_view text) {
-#if defined(_LIBCPP_VERSION) && _LIBCPP_VERSION < 200000
-  // libc++ has no from_chars for doubles before version 20. musl's strtod rounds correctly, knows
-  // no other decimal point, and the grammar leaves it nothing else to understand (no hexadecimal,
-  // no white space).
+#ifndef __cpp_lib_to_chars
   (void)is_large;
-  return std::strtod(std::string(text).c_str(), nullptr);
+  return std::strtod(std::string(text).c_str(),
+                     nullptr);  // the grammar leaves it nothing but a decimal
 #else
   double value = 0;
   const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -114,6 +122,33 @@ std::optional<std::int64_t> parse_integer(std::string_view text) {
   return value;
 }
 
+Decimal shortest_decimal(double value) {
+  char buffer[64];
+#ifndef __cpp_lib_to_chars
+  char* const end = fmt::format_to(buffer, "{}", value);
+#else
+  char* const end =
+      std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific).ptr;
+#endif
+  // Whatever the layout: digits with a point somewhere, and perhaps an exponent.
+  std::string_view text(buffer, static_cast<std::size_t>(end - buffer));
+  if (text.front() == '-') text.remove_prefix(1);
+  const std::size_t e = std::min(text.find('e'), text.size());
+  const std::size_t point = std::min(text.substr(0, e).find('.'), e);
+  Decimal decimal;
+  decimal.exponent = static_cast<int>(point);
+  if (e < text.size()) decimal.exponent += static_cast<int>(*parse_integer(text.substr(e + 1)));
+  for (const char c : text.substr(0, e)) {
+    if (c == '.') continue;
+    if (c == '0' && decimal.digits.empty())
+      --decimal.exponent;
+    else
+      decimal.digits += c;
+  }
+  decimal.digits.resize(decimal.digits.find_last_not_of('0') + 1);
+  return decimal;
+}
+
 }  // namespace io
 
 // The shortest digits that read back are unique, their layout is not: it is laid out here as
@@ -123,22 +158,10 @@ std::string format_double(double value) {
   if (value != value) return "nan";
   if (value > std::numeric_limits<double>::max()) return "inf";
   if (value < -std::numeric_limits<double>::max()) return "-inf";
-  char buffer[40];
-  const auto result =
-      std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific);
-  std::string_view text(buffer, static_cast<std::size_t>(result.ptr - buffer));
-  std::string out;
-  if (text.front() == '-') {
-    out = "-";
-    text.remove_prefix(1);
-  }
-  if (value == 0) return out.empty() ? "0" : "-0.0";
-  const std::size_t e = text.find('e');
-  std::string digits(1, text[0]);
-  if (e > 2) digits += text.substr(2, e - 2);
+  std::string out = value < 0 ? "-" : "";
+  if (value == 0) return std::signbit(value) ? "-0.0" : "0";
+  const auto [digits, point] = io::shortest_decimal(value);
   const int count = static_cast<int>(digits.size());
-  const int point =
-      static_cast<int>(*io::parse_integer(text.substr(e + 1))) + 1;  // digits before it
   if (point > 21 || point < -5) {
     out += digits[0];
     if (count > 1) out.append(".").append(digits, 1, std::string::npos);

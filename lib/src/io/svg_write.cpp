@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <charconv>
 #include <map>
 
 #include "io/formats.h"
@@ -15,13 +14,10 @@ constexpr const char* kFills[] = {"#eaf4fb", "#fdf3dc", "#e3f3ec", "#fbeade", "#
 
 /// Three significant digits: enough for the width of a line.
 std::string rough(double value) {
-  char buffer[40];
-  const auto end =
-      std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific).ptr;
-  const std::string_view text(buffer, static_cast<std::size_t>(end - buffer));
-  const std::size_t e = std::min(text.find('e'), text.size());
+  if (!(value > 0)) return "0";
+  const Decimal decimal = shortest_decimal(value);
   const std::string cut =
-      std::string(text.substr(0, std::min<std::size_t>(e, 4))) + std::string(text.substr(e));
+      "0." + decimal.digits.substr(0, 3) + "e" + std::to_string(decimal.exponent);
   return format_double(parse_double(cut).value_or(value));
 }
 
