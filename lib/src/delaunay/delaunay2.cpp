@@ -32,7 +32,8 @@ constexpr VertexId Delaunay2::kGhost;
 constexpr std::uint32_t Delaunay2::kNext[3], Delaunay2::kPrev[3];
 
 void Delaunay2::reserve(std::size_t vertices) {
-  vertices_.reserve(vertices);
+  points_.reserve(vertices);
+  triangle_of_.reserve(vertices);
   triangles_.reserve(2 * vertices);
 }
 
@@ -47,9 +48,10 @@ void Delaunay2::set_tag(HalfEdge h, std::uint32_t tag) {
 }
 
 std::size_t Delaunay2::bytes() const {
-  return vertices_.capacity() * sizeof(Vertex) + triangles_.capacity() * sizeof(Triangle) +
-         tags_.capacity() * sizeof(std::uint32_t) + ring_.capacity() * sizeof(RingEdge) +
-         inheritance_.capacity() * sizeof(Inheritance) + pending_.capacity() * sizeof(Sight) +
+  return points_.capacity() * sizeof(Point2) + triangle_of_.capacity() * sizeof(TriangleId) +
+         triangles_.capacity() * sizeof(Triangle) + tags_.capacity() * sizeof(std::uint32_t) +
+         ring_.capacity() * sizeof(RingEdge) + inheritance_.capacity() * sizeof(Inheritance) +
+         pending_.capacity() * sizeof(Sight) +
          (cavity_.capacity() + boundary_.capacity() + tagged_inside_.capacity() +
           born_.capacity()) *
              sizeof(std::uint32_t) +
@@ -62,10 +64,11 @@ inline Delaunay2::Sight Delaunay2::sight(VertexId v, const Point2& p, HalfEdge h
   return {x, y, x * x + y * y, v, h};
 }
 
-// orient2d_filtered of (a, b, p), with the offsets that are known.
+// orient2d_filtered of (a, b, p), with the offsets that are known: the same roundings, the same
+// bound.
 inline double Delaunay2::turn(const Sight& a, const Sight& b, const Point2& p) const {
   const double left = a.x * b.y, right = a.y * b.x, det = left - right;
-  if (std::fabs(det) >= internal::kOrient2dBound * (std::fabs(left) + std::fabs(right))) return det;
+  if (std::fabs(det) >= internal::kOrient2dBound * std::fabs(right)) return det;
   return orient(point(a.v), point(b.v), p);
 }
 
@@ -172,51 +175,72 @@ bool Delaunay2::equals_corner(const Point2& p, TriangleId t) {
 }
 
 // Collects the triangles in conflict and, counter-clockwise, the boundary of their union. No vertex
-// is inside it, so its dual graph is a tree: a depth-first walk from the seed needs no marks. `a`
-// is the last vertex of the boundary that is settled; `pending_` holds those to come, the next on
-// top, each with the half-edge that ends there.
-void Delaunay2::dig(const Point2& p, std::uint32_t number, TriangleId seed) {
-  const bool tagged = !tags_.empty();
+// is inside it, so its dual graph is a tree: a depth-first walk from the seed needs no marks. The
+// edge ab is looked across next; the boundary is settled up to a, and goes on from b to the
+// vertices on the stack `pending_`, each with the half-edge that ends there.
+template <bool kPlain>
+void Delaunay2::dig(const Point2& at_p, std::uint32_t number, TriangleId seed) {
+  const Point2 p = at_p;
+  const bool tagged = !kPlain && !tags_.empty();
+  const Triangle* const triangles = triangles_.data();
+  const Point2* const points = points_.data();
   cavity_.push_back(seed);
-  pending_.clear();
-  for (const std::uint32_t i : {0u, 2u, 1u})
-    pending_.push_back(sight(triangles_[seed].v[i], p, 4 * seed + kNext[i]));
-  Sight a = pending_[0];
-  bool at_hull = is_ghost(seed);
-  do {
-    Sight& b = pending_.back();
-    const HalfEdge o = twin(b.h);
+  const Triangle& first = triangles[seed];
+  bool at_hull = is_ghost(first);
+  Sight a = sight(first.v[0], p, 4 * seed + 1), b = sight(first.v[1], p, 4 * seed + 2);
+  if (pending_.empty()) pending_.resize(64);
+  Sight *bottom = pending_.data(), *top = bottom, *limit = top + pending_.size();
+  *top++ = a;
+  *top++ = sight(first.v[2], p, 4 * seed);
+  for (;;) {
+    const HalfEdge o = triangles[b.h >> 2].n[b.h & 3];
     const TriangleId t = o >> 2;
-    const Triangle& at = triangles_[t];
-    const VertexId v = at.v[o & 3];
-    const Sight c = sight(v, p, next(o));
+    const Triangle& at = triangles[t];
+    Sight c;
+    c.v = at.v[o & 3];
     bool conflict;
-    if (at_hull || v == kGhost) {
+    if (at_hull || c.v == kGhost) {
+      c = sight(c.v, p, 0);
       conflict = in_conflict(at, p, number);
       at_hull = at_hull || conflict;
     } else {
+      c.x = points[c.v.value].x - p.x;
+      c.y = points[c.v.value].y - p.y;
+      c.lift = c.x * c.x + c.y * c.y;
       // incircle_filtered of (b, a, c, p), with the offsets that are known.
       const double det = b.lift * (a.x * c.y - c.x * a.y) + a.lift * (c.x * b.y - b.x * c.y) +
                          c.lift * (b.x * a.y - a.x * b.y);
-      const double bound = a.lift * (b.lift + c.lift) + b.lift * c.lift;
-      conflict =
-          std::fabs(det) > internal::kIncircleBound * bound ? det > 0 : in_conflict(at, p, number);
+      const double bound =
+          internal::kIncircleBound * (a.lift * (b.lift + c.lift) + b.lift * c.lift);
+      conflict = det > bound;
+      if (!conflict && !(det < -bound)) conflict = in_conflict(at, p, number);
     }
     if (conflict) {
       cavity_.push_back(t);
       if (tagged && tags_[o] != kNone) tagged_inside_.push_back(b.h);
+      if (top == limit) {
+        const std::size_t depth = pending_.size();
+        pending_.resize(2 * depth);
+        bottom = pending_.data();
+        top = bottom + depth;
+        limit = top + depth;
+      }
       b.h = prev(o);
-      pending_.push_back(c);
+      *top++ = b;
+      c.h = next(o);
+      b = c;
     } else {
-      boundary_.push_back(b.h);
+      if (!kPlain) boundary_.push_back(b.h);
       ring_.push_back({o, a.v});
+      if (top == bottom) return;
       a = b;
-      pending_.pop_back();
+      b = *--top;
     }
-  } while (!pending_.empty());
+  }
 }
 
-Delaunay2::Probe Delaunay2::probe_at(const Point2& p, std::uint32_t number, TriangleId start) {
+template <bool kPlain>
+Delaunay2::Probe Delaunay2::look(const Point2& p, std::uint32_t number, TriangleId start) {
   cavity_.clear();
   boundary_.clear();
   tagged_inside_.clear();
@@ -227,8 +251,12 @@ Delaunay2::Probe Delaunay2::probe_at(const Point2& p, std::uint32_t number, Tria
   dimension_after_ = 2;
   const TriangleId seed = walk(p, start);
   if (equals_corner(p, seed)) return Probe::kDuplicate;
-  dig(p, number, seed);
+  dig<kPlain>(p, number, seed);
   return Probe::kOk;
+}
+
+Delaunay2::Probe Delaunay2::probe_at(const Point2& p, std::uint32_t number, TriangleId start) {
+  return look<false>(p, number, start);
 }
 
 Delaunay2::Probe Delaunay2::probe_below_plane(const Point2& p, std::uint32_t number,
@@ -252,7 +280,8 @@ Delaunay2::Probe Delaunay2::probe_on_line(const Point2& p, std::uint32_t number,
   const Point2 &a = point(at.v[kNext[g]]), &b = point(at.v[kPrev[g]]);
   if (orient(a, b, p) != 0) {
     dimension_after_ = 2;
-    dig(p, number, t);  // all the ghosts on this side die, and the triangulation becomes planar
+    dig<false>(p, number,
+               t);  // all the ghosts on this side die, and the triangulation becomes planar
     return Probe::kOk;
   }
   dimension_after_ = 1;
@@ -314,37 +343,45 @@ void Delaunay2::fill(VertexId v, std::uint32_t splitting_tag) {
   if (dimension_after_ == 0) {
     dimension_ = 0;
     only_vertex_ = v;
-    vertices_[v.value].t = kAlone;
+    triangle_of_[v.value] = kAlone;
     return;
   }
   assert(count == cavity_.size() + 2);
   const TriangleId fresh = slot_count();
-  triangles_.resize(triangles_.size() + 2);
+  triangles_.emplace_back();
+  triangles_.emplace_back();
   if (tagged) tags_.resize(4 * triangles_.size(), kNone);
   if (dimension_after_ == 1) link_on_line(fresh);
 
   // The dead lend their slots; a triangle is linked to those before and after it in the ring.
   cavity_.push_back(fresh);
   cavity_.push_back(fresh + 1);
-  TriangleId previous = cavity_[count - 1], here = cavity_[0];
+  ring_.push_back(ring_[0]);
+  const TriangleId* const slots = cavity_.data();
+  const RingEdge* const ring = ring_.data();
+  Triangle* const triangles = triangles_.data();
+  TriangleId* const triangle_of = triangle_of_.data();
+  std::uint32_t birth = births_;
+  TriangleId previous = slots[count - 1], here = slots[0];
+  VertexId origin = ring[0].origin;
   for (std::size_t j = 0; j < count; ++j) {
-    const std::size_t after = j + 1 < count ? j + 1 : 0;
-    const TriangleId following = cavity_[after];
-    const RingEdge e = ring_[j];
-    Triangle& t = triangles_[here];
+    const TriangleId following = slots[j + 1 < count ? j + 1 : 0];
+    const VertexId target = ring[j + 1].origin;
+    const HalfEdge outside = ring[j].outside;
+    Triangle& t = triangles[here];
     t.v[0] = v;
-    t.v[1] = e.origin;
-    t.v[2] = ring_[after].origin;
+    t.v[1] = origin;
+    t.v[2] = target;
     t.label = kPlain ? 0 : inheritance_[j].label;
-    t.n[0] = e.outside;
+    t.n[0] = outside;
     t.n[1] = 4 * following + 2;
     t.n[2] = 4 * previous + 1;
-    t.birth = births_++;
-    triangles_[e.outside >> 2].n[e.outside & 3] = 4 * here;
-    if (e.origin == kGhost) {
+    t.birth = birth++;
+    triangles[outside >> 2].n[outside & 3] = 4 * here;
+    if (origin == kGhost) {
       ghost_triangle_ = here;
     } else {
-      vertices_[e.origin.value].t = here;
+      triangle_of[origin.value] = here;
     }
     if (tagged) {
       std::uint32_t* tags = &tags_[4 * std::size_t{here}];
@@ -353,8 +390,10 @@ void Delaunay2::fill(VertexId v, std::uint32_t splitting_tag) {
     }
     previous = here;
     here = following;
+    origin = target;
   }
-  vertices_[v.value].t = here;
+  births_ = birth;
+  triangle_of[v.value] = here;
   last_born_ = here;
   dimension_ = dimension_after_;
   if (!kPlain) born_.swap(cavity_);
@@ -367,7 +406,7 @@ void Delaunay2::commit(VertexId v, std::uint32_t splitting_tag) {
 }
 
 bool Delaunay2::insert_plainly(VertexId v) {
-  if (probe_at(point(v), number(v), last_born_) == Probe::kDuplicate) return false;
+  if (look<true>(point(v), number(v), last_born_) == Probe::kDuplicate) return false;
   fill<true>(v, kNone);
   return true;
 }

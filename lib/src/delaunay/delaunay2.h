@@ -54,14 +54,18 @@ class Delaunay2 {
   void reserve(std::size_t vertices);
   /// Gives the next number; the vertex is not inserted yet.
   VertexId add_vertex(const Point2& p) {
-    vertices_.push_back({p, kNone});
+    points_.push_back(p);
+    triangle_of_.push_back(kNone);
     return VertexId(vertex_count() - 1);
   }
-  std::uint32_t vertex_count() const { return static_cast<std::uint32_t>(vertices_.size()); }
-  const Point2& point(VertexId v) const { return vertices_[v.value].p; }
-  bool inserted(VertexId v) const { return vertices_[v.value].t != kNone; }
+  std::uint32_t vertex_count() const { return static_cast<std::uint32_t>(points_.size()); }
+  const Point2& point(VertexId v) const { return points_[v.value]; }
+  bool inserted(VertexId v) const { return triangle_of_[v.value] != kNone; }
   /// Takes back the last add_vertex, which must not be inserted.
-  void pop_vertex() { vertices_.pop_back(); }
+  void pop_vertex() {
+    points_.pop_back();
+    triangle_of_.pop_back();
+  }
 
   // ---- queries; none allocates
   // ----------------------------------------------------------------------------------
@@ -78,7 +82,7 @@ class Delaunay2 {
   const Triangle& triangle(TriangleId t) const { return triangles_[t]; }
   /// Some triangle at v; kNone if v is not inserted, or is the only vertex inserted.
   TriangleId triangle_of(VertexId v) const {
-    const TriangleId t = vertices_[v.value].t;
+    const TriangleId t = triangle_of_[v.value];
     return t < slot_count() ? t : kNone;
   }
   /// Some ghost triangle; kNone below dimension 1.
@@ -89,8 +93,8 @@ class Delaunay2 {
   /// May be kGhost.
   VertexId apex(HalfEdge h) const { return triangles_[h >> 2].v[h & 3]; }
   /// The next half-edge of the same triangle, counter-clockwise; and the one before.
-  static HalfEdge next(HalfEdge h) { return (h & ~3u) | kNext[h & 3]; }
-  static HalfEdge prev(HalfEdge h) { return (h & ~3u) | kPrev[h & 3]; }
+  static HalfEdge next(HalfEdge h) { return h + 1 - 3 * (h >> 1 & 1); }
+  static HalfEdge prev(HalfEdge h) { return h - 1 + 3 * ((h & 3) == 0); }
 
   /// Calls f(HalfEdge) -> bool (go on?) for the half-edges out of v, counter-clockwise, those to
   /// kGhost too.
@@ -203,13 +207,9 @@ class Delaunay2 {
 
  private:
   static constexpr std::uint32_t kNext[3] = {1, 2, 0}, kPrev[3] = {2, 0, 1};
-  /// Vertex::t of the only vertex inserted, which has no triangle.
+  /// triangle_of_ of the only vertex inserted, which has no triangle.
   static constexpr TriangleId kAlone = 0xfffffffeu;
 
-  struct Vertex {
-    Point2 p;
-    TriangleId t;
-  };
   /// An edge of the cavity's boundary: the born triangle (p, origin, origin of the next one) takes
   /// it.
   struct RingEdge {
@@ -242,6 +242,9 @@ class Delaunay2 {
   Probe probe_below_plane(const Point2& p, std::uint32_t number, TriangleId start);
   Probe probe_on_line(const Point2& p, std::uint32_t number, TriangleId start);
   bool equals_corner(const Point2& p, TriangleId t);
+  template <bool kPlain>
+  Probe look(const Point2& p, std::uint32_t number, TriangleId start);
+  template <bool kPlain>
   void dig(const Point2& p, std::uint32_t number, TriangleId seed);
   void link_on_line(TriangleId fresh);
   template <bool kPlain>
@@ -254,7 +257,8 @@ class Delaunay2 {
   bool insert_next(std::uint32_t v, Batch* batch);
   std::vector<Duplicate> end_batch(Batch* batch);
 
-  std::vector<Vertex> vertices_;
+  std::vector<Point2> points_;
+  std::vector<TriangleId> triangle_of_;
   std::vector<Triangle> triangles_;
   std::vector<std::uint32_t> tags_;  // by half-edge; empty until the first tag
   int dimension_ = -1;

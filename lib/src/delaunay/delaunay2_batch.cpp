@@ -13,7 +13,7 @@ Delaunay2::Batch Delaunay2::begin_batch(std::uint32_t first, std::uint32_t last)
   batch.order.reserve(last > first ? last - first : 0);
   for (std::uint32_t v = first; v < last; ++v)
     if (!inserted(VertexId(v))) batch.order.push_back(v);
-  const auto at = [this](std::uint32_t v) -> const Point2& { return vertices_[v].p; };
+  const auto at = [this](std::uint32_t v) -> const Point2& { return points_[v]; };
   for (const auto& [vertex, of] : sort_along_hilbert_curve(at, &batch.order))
     batch.duplicates.push_back({VertexId(vertex), VertexId(of)});
   triangles_.reserve(triangles_.size() + 2 * batch.order.size());
@@ -50,8 +50,9 @@ void Delaunay2::build_in_order(Batch* batch) {
   build.numbers_ = numbers.data();
   build.births_ = births_;
   build.triangles_.swap(triangles_);
-  build.vertices_.reserve(numbers.size());
-  for (const std::uint32_t v : numbers) build.vertices_.push_back({vertices_[v].p, kNone});
+  build.points_.reserve(numbers.size());
+  for (const std::uint32_t v : numbers) build.points_.push_back(points_[v]);
+  build.triangle_of_.resize(numbers.size(), kNone);
   std::vector<std::uint32_t> order(numbers.size());
   std::iota(order.begin(), order.end(), 0u);
   deal_rounds(&order);
@@ -61,7 +62,7 @@ void Delaunay2::build_in_order(Batch* batch) {
   for (Triangle& t : triangles_)
     for (VertexId& v : t.v)
       if (v != kGhost) v = VertexId(numbers[v.value]);
-  for (std::size_t i = 0; i < numbers.size(); ++i) vertices_[numbers[i]].t = build.vertices_[i].t;
+  for (std::size_t i = 0; i < numbers.size(); ++i) triangle_of_[numbers[i]] = build.triangle_of_[i];
   dimension_ = build.dimension_;
   if (build.only_vertex_.valid()) only_vertex_ = VertexId(numbers[build.only_vertex_.value]);
   ghost_triangle_ = build.ghost_triangle_;

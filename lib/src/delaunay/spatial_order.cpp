@@ -95,10 +95,15 @@ void deal_rounds(std::vector<std::uint32_t>* order) {
     return round;
   };
   std::array<std::size_t, kLevels + 1> start{};
-  for (const std::uint32_t v : *order) ++start[round_of(v) + 1];
+  std::vector<std::uint8_t> rounds;
+  rounds.reserve(order->size());
+  for (const std::uint32_t v : *order) {
+    rounds.push_back(static_cast<std::uint8_t>(round_of(v)));
+    ++start[rounds.back() + 1];
+  }
   for (std::uint32_t r = 0; r < kLevels; ++r) start[r + 1] += start[r];
   std::vector<std::uint32_t> dealt(order->size());
-  for (const std::uint32_t v : *order) dealt[start[round_of(v)]++] = v;
+  for (std::size_t i = 0; i < rounds.size(); ++i) dealt[start[rounds[i]]++] = (*order)[i];
   order->swap(dealt);
 }
 

@@ -78,17 +78,19 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> sort_along_hilbert_curve(
   std::vector<std::uint64_t> items(order->begin(), order->end()), scratch(items.size());
   if (!items.empty())
     internal::sort_run(at, items.data(), items.data() + items.size(), scratch.data());
-  // Points with equal coordinates share every cell, and end side by side in the order of their
-  // indices.
+  // Points with equal coordinates have shared every cell, so their keys are equal, and they end
+  // side by side in the order of their indices.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> duplicates;
   std::size_t kept = 0;
+  std::uint64_t last_key = ~std::uint64_t{0};
   for (const std::uint64_t item : items) {
     const std::uint32_t i = static_cast<std::uint32_t>(item);
-    if (kept > 0 && at((*order)[kept - 1]) == at(i)) {
+    if (item >> 32 == last_key && at((*order)[kept - 1]) == at(i)) {
       duplicates.emplace_back(i, (*order)[kept - 1]);
-    } else {
-      (*order)[kept++] = i;
+      continue;
     }
+    last_key = item >> 32;
+    (*order)[kept++] = i;
   }
   order->resize(kept);
   return duplicates;
