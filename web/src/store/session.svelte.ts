@@ -1,0 +1,107 @@
+import { fromHash, toHash } from '../link/link.ts';
+import type { App } from './app.svelte.ts';
+import { complexFromJson } from '../core/complex-json.ts';
+import { type Example, examples, load } from './examples.ts';
+
+/** How a visit begins, and what of it survives a reload. */
+
+const WORK = 'circumball.work';
+/** Browsers give a site about five megabytes; beyond this only the title is lost, not the visit. */
+const MOST_SAVED = 3_000_000;
+
+/** A link comes first, then the work of the last visit, then the first example, which plays once, slowly. */
+export async function enter(app: App): Promise<void> {
+  const starting = app.begin();
+  window.addEventListener('hashchange', () => void follow(app));
+  if (await follow(app)) return;
+  const saved = read();
+  if (saved) {
+    await starting;
+    await app.restore(saved.shared, saved.title);
+    return;
+  }
+  await starting;
+  const first = examples[0];
+  if (!first || app.coreError) return;
+  await openExample(app, first, { first: true });
+  if (!app.settings.tourSeen) app.settings.tourSeen = true;
+}
+
+async function follow(app: App): Promise<boolean> {
+  try {
+    const shared = fromHash(location.hash);
+    if (!shared) return false;
+    history.replaceState(null, '', location.pathname + location.search);
+    await app.begin();
+    await app.restore(shared, '');
+    return true;
+  } catch (error) {
+    history.replaceState(null, '', location.pathname + location.search);
+    app.say((error as Error).message, 'bad');
+    return false;
+  }
+}
+
+export async function openExample(
+  app: App,
+  example: Example,
+  { first = false }: { first?: boolean } = {},
+): Promise<void> {
+  const answer = await app.core.read(await load(example));
+  if (!answer.complex) {
+    app.say(answer.defects[0]?.message ?? example.title, 'bad');
+    return;
+  }
+  app.open(complexFromJson(answer.complex), example.title, example.options);
+  const still = app.settings.reducedMotion || document.visibilityState === 'hidden';
+  await app.refine({ play: !still });
+  if (first && app.doc.title === example.title) app.announcement = `${example.title}. ${example.text}`;
+}
+
+function read() {
+  try {
+    const { hash, title } = JSON.parse(localStorage.getItem(WORK) ?? '{}');
+    const shared = typeof hash === 'string' ? fromHash(hash) : null;
+    return shared && shared.complex.vertices.length > 0 ? { shared, title: String(title ?? '') } : null;
+  } catch {
+    return null;
+  }
+}
+
+function write(app: App): void {
+  try {
+    const hash = app.doc.isEmpty ? '' : toHash(app.shared());
+    if (hash.length > MOST_SAVED) return;
+    localStorage.setItem(WORK, JSON.stringify({ hash, title: app.doc.title }));
+  } catch {
+    // Storage is full or closed: the visit goes on, only a reload would lose it.
+  }
+}
+
+/** Saves a moment after the last change, and when the page is hidden. To be called while a component initializes. */
+export function keepSaved(app: App): void {
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  $effect(() => {
+    void [app.doc.complex, app.doc.title, app.parameters.algorithm, app.parameters.values];
+    void [app.parameters.domain, app.parameters.maxVertices, app.parameters.minEdge];
+    void [app.run.phase, app.settings.color, app.playback.playing];
+    clearTimeout(timer);
+    timer = setTimeout(() => write(app), 600);
+  });
+  $effect(() => {
+    void [app.settings.theme, app.settings.color, app.settings.overlays, app.settings.speed];
+    void [app.settings.legendOpen, app.settings.singleKeys, app.settings.tourSeen];
+    app.settings.save();
+  });
+  $effect(() => {
+    const hide = () => {
+      if (document.visibilityState === 'hidden') write(app);
+    };
+    document.addEventListener('visibilitychange', hide);
+    window.addEventListener('pagehide', hide);
+    return () => {
+      document.removeEventListener('visibilitychange', hide);
+      window.removeEventListener('pagehide', hide);
+    };
+  });
+}
