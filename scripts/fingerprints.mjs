@@ -27,7 +27,6 @@ const inputs = () =>
 async function fingerprint([program, ...args], input, algorithm, folder) {
   const report = join(folder, 'report.json');
   const mesh = ['mesh', input, '--algorithm', algorithm, '--max-vertices', maxVertices];
-  if (algorithm === 'chew') mesh.push('--domain', 'hull', '--size', '1e300');
   const { code, output } = await run(
     program,
     [...args, ...mesh, '--quiet', '--no-progress', '--report', report],

@@ -4,6 +4,7 @@
 
 #include "circumball/registry.h"
 #include "command.h"
+#include "parameters.h"
 
 namespace circumball::cli {
 
@@ -26,8 +27,9 @@ int list_command(bool json) {
       const std::string range = parameter.max.empty()
                                     ? parameter.min
                                     : fmt::format("{} to {}", parameter.min, parameter.max);
-      text += fmt::format("  --set {}={}  ({})  {}\n", parameter.name, parameter.default_value,
-                          range, parameter.help);
+      text += fmt::format(
+          has_own_option(parameter.name) ? "  --{} {}  ({})  {}\n" : "  --set {}={}  ({})  {}\n",
+          parameter.name, parameter.default_value, range, parameter.help);
     }
     text += '\n';
   }

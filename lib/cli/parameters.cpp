@@ -43,6 +43,10 @@ bool valid_value(const ParameterInfo& parameter, const std::string& value, std::
 
 }  // namespace
 
+bool has_own_option(const std::string& name) {
+  return name == "tau" || name == "min-angle" || name == "size";
+}
+
 bool parse_settings(const std::vector<std::string>& settings, const AlgorithmInfo& algorithm,
                     std::map<std::string, std::string>* parameters, std::string* error) {
   for (const std::string& setting : settings) {

@@ -9,6 +9,9 @@
 
 namespace circumball::cli {
 
+/// Whether a parameter of the registry has an option of its own (--tau, --min-angle, --size).
+bool has_own_option(const std::string& name);
+
 /// Parses "NAME=VALUE" texts against the parameters that the registry lists for an algorithm: the
 /// name must be one of them, the value one of its choices or within its range. Fails with a
 /// sentence in `error`.
