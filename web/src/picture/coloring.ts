@@ -14,6 +14,7 @@ export class Coloring {
   private dark = false;
   private classes = 1;
   private regions: Int32Array | null = null;
+  private lastScale: { key: string; scale: ColorScale } | null = null;
   private readonly model: MeshModel;
 
   constructor(model: MeshModel) {
@@ -28,19 +29,24 @@ export class Coloring {
     return this.mode === 'size' || this.mode === 'radius';
   }
 
-  /** Null in plain mode. */
+  /** Null in plain mode; the same object as long as nothing of it changed. */
   get scale(): ColorScale | null {
     if (this.mode === 'plain') return null;
     const { mode, dark, classes, logarithmic } = this;
     const [min, max] = this.range;
-    return {
-      mode,
-      min: logarithmic ? 2 ** min : min,
-      max: logarithmic ? 2 ** max : max,
-      logarithmic,
-      unit: mode === 'quality' ? '°' : '',
-      at: (t) => cssColor(colorAt(mode, dark, t, classes)),
-    };
+    const key = `${mode} ${dark} ${classes} ${min} ${max}`;
+    if (this.lastScale?.key !== key) {
+      const scale: ColorScale = {
+        mode,
+        min: logarithmic ? 2 ** min : min,
+        max: logarithmic ? 2 ** max : max,
+        logarithmic,
+        unit: mode === 'quality' ? '°' : '',
+        at: (t) => cssColor(colorAt(mode, dark, t, classes)),
+      };
+      this.lastScale = { key, scale };
+    }
+    return this.lastScale.scale;
   }
 
   rgba(t: number): Rgba {

@@ -117,7 +117,7 @@ export class CanvasPicture implements Picture {
 
   setMesh(state: MeshState | null, change?: MeshChange | null, speed = 1): void {
     const { scene } = this;
-    this.motion = null;
+    if (!state || !scene.meshed || state.position !== scene.model.position) this.motion = null;
     if (!state) {
       if (scene.meshed) {
         scene.meshed = false;
@@ -129,6 +129,7 @@ export class CanvasPicture implements Picture {
       scene.meshed = true;
       this.touch('triangles', 'vertices');
     }
+    const before = scene.model.position;
     const difference = scene.model.sync(state);
     if (difference.restarted) this.touch('triangles', 'vertices');
     this.meshTouched = true;
@@ -137,7 +138,9 @@ export class CanvasPicture implements Picture {
     const ranged = scene.coloring.updateRange();
     if (ranged.all) this.touch('triangles');
     if (ranged.range) this.touch('look');
-    if (change) {
+    // The same state again (another speed, another color) is no news, and moves nothing.
+    const moved = state.position !== before;
+    if (change && moved) {
       scene.rememberChange(state, change);
       if (!scene.theme.reducedMotion && scene.overlays.mesh) {
         const motion = makeMotion(state, change, speed);
@@ -163,13 +166,11 @@ export class CanvasPicture implements Picture {
     this.touch('top');
   }
 
+  /** Costs nothing if the mode is the same. The scale is another object only when it changed. */
   setColorMode(mode: ColorMode): ColorScale | null {
+    if (mode === this.scene.coloring.mode) return this.scene.coloring.scale;
     this.scene.coloring.setMode(mode, this.scene.theme.dark);
     this.touch('triangles', 'look');
-    return this.scene.coloring.scale;
-  }
-
-  get colorScale(): ColorScale | null {
     return this.scene.coloring.scale;
   }
 

@@ -217,7 +217,7 @@ class Paper {
       : '';
     return (
       `<text x="${number(x + item.dx)}" y="${number(y - item.dy)}" font-family="sans-serif" ` +
-      `font-size="${number(item.size)}" text-anchor="${item.anchor}" fill="${item.color}"${halo}>${escape(item.text)}</text>\n`
+      `font-size="${number(item.size)}" text-anchor="${item.anchor}" fill="${item.color}"${halo}>${escapeXml(item.text)}</text>\n`
     );
   }
 
@@ -239,6 +239,6 @@ function number(value: number): string {
   return String(Math.round(value * 100) / 100);
 }
 
-function escape(text: string): string {
+function escapeXml(text: string): string {
   return text.replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);
 }

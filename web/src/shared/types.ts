@@ -17,7 +17,10 @@ export interface Complex2 {
   readonly segments: readonly (readonly [number, number])[];
   readonly holes: readonly Point[];
   readonly regions: readonly Region2[];
-  readonly markers?: { readonly vertices?: readonly number[]; readonly segments?: readonly number[] };
+  readonly markers?: {
+    readonly vertices?: readonly number[];
+    readonly segments?: readonly number[];
+  };
 }
 
 export interface Region2 {
@@ -200,8 +203,12 @@ export interface Sketch {
   readonly lines: readonly (readonly [Point, Point])[];
   readonly points: readonly Point[];
   readonly box: readonly [Point, Point] | null; // rubber-band selection
-  readonly snap: { readonly at: Point; readonly kind: 'vertex' | 'segment' | 'grid' | 'angle' } | null;
+  readonly snap: {
+    readonly at: Point;
+    readonly kind: 'vertex' | 'segment' | 'grid' | 'angle';
+  } | null;
   readonly cursor: Point | null; // keyboard cursor of the editor
+  readonly crossings?: readonly Point[]; // where the rubber bands cross segments of the document
 }
 
 /** The three.js picture. Draws on demand only; owns no data but copies for the GPU. Built in web/src/picture/. */
@@ -243,7 +250,15 @@ export type CreatePicture = (canvas: HTMLCanvasElement, options: PictureOptions)
 
 // ---------------------------------------------------------------------------------------------- the editor
 
-export type ToolId = 'select' | 'point' | 'segment' | 'polygon' | 'rectangle' | 'hole' | 'region' | 'pan';
+export type ToolId =
+  | 'select'
+  | 'point'
+  | 'segment'
+  | 'polygon'
+  | 'rectangle'
+  | 'hole'
+  | 'region'
+  | 'pan';
 
 export interface ToolInfo {
   readonly id: ToolId;
@@ -277,6 +292,8 @@ export interface Editor {
   setSnap(snap: SnapOptions): void;
   /** Puts a document in place of this one; undoable. */
   replace(complex: Complex2, title: string): void;
+  /** Adds a complex beside what is there; equal vertices become one. */
+  paste(complex: Complex2): void;
   undo(): void;
   redo(): void;
   select(selection: Partial<Selection>): void;
@@ -345,5 +362,11 @@ export type CreateEditor = (initial: Complex2) => Editor;
 export type AttachInput = (
   picture: Picture,
   editor: Editor,
-  options: { editing: () => boolean; onPick: (hit: Hit | null, at: Point) => void; onHover?: (at: Point | null) => void },
+  options: {
+    editing: () => boolean;
+    onPick: (hit: Hit | null, at: Point) => void;
+    onHover?: (at: Point | null) => void;
+    /** Right button or long press: where, in the world and in CSS pixels of the canvas. */
+    onMenu?: (at: Point, screen: Point) => void;
+  },
 ) => () => void;

@@ -211,7 +211,6 @@ export class MeshLayer {
     }
     const corners = this.corners(slot);
     let longest = 0;
-    let twiceArea = 0;
     for (let k = 0; k < 3; ++k) {
       const p = corners[k]!;
       const q = corners[(k + 1) % 3]!;
@@ -225,10 +224,6 @@ export class MeshLayer {
       array[e] = -dy / length;
       array[e + 1] = dx / length;
       array[e + 2] = ((dx * oy - dy * ox) / length) * window.unit;
-      if (k === 0) {
-        const r = corners[2]!;
-        twiceArea = dx * (r[1] - p[1]) - dy * (r[0] - p[0]);
-      }
     }
     let flags = 0;
     if (label === Label.outside) flags |= TriangleFlag.outside;
@@ -237,7 +232,7 @@ export class MeshLayer {
       const stressed = look.highlight.has(this.model.triangleSlots.numbers[slot]!);
       flags |= stressed ? TriangleFlag.stressed : TriangleFlag.dimmed;
     }
-    array[at + 15] = Math.min((twiceArea / longest) * window.unit, 3e38);
+    array[at + 15] = Math.min(longest * window.unit, 3e38);
     array[at + 16] = coloring.value(slot);
     array[at + 17] = flags;
   }

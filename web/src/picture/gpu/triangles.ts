@@ -1,7 +1,7 @@
 /**
  * Triangles of the mesh with their edges, in one draw call. Each triangle paints the inner half of its three edges from their
  * line equations, so an edge needs no row of its own, has a constant width in pixels, and is smooth without
- * multisampling. Edges fade where triangles are only a few pixels high: there the shading tells more.
+ * multisampling. Edges fade where triangles are only a few pixels long: there the shading tells more.
  */
 
 import { type DataTexture, Vector4 } from 'three';
@@ -15,7 +15,7 @@ export const triangleLayout = [
   ['aE0', 3], // unit normal (inward) and offset of the lines of the edges
   ['aE1', 3],
   ['aE2', 3],
-  ['aTraits', 3], // smallest height, value (color), flags
+  ['aTraits', 3], // longest edge, value (color), flags
 ] as const;
 
 export const TriangleFlag = { outside: 1, unknown: 2, dimmed: 4, stressed: 8 } as const;
@@ -86,8 +86,8 @@ void main() {
   if ((flags & 4) != 0) fill *= 0.28;
   if ((flags & 8) != 0 && uColored < 0.5) fill = uStress;
   float d = min(line(vE0), min(line(vE1), line(vE2)));
-  float height = vTraits.x * uRatio;
-  float show = mix(outside ? 0.3 : 0.16, 1.0, smoothstep(2.5, 11.0, height));
+  float size = vTraits.x * uRatio;
+  float show = mix(outside ? 0.3 : 0.16, 1.0, smoothstep(3.0, 13.0, size));
   float cover = clamp((uEdgeWidth * 0.5 - max(d, 0.0)) * uPixel + 0.5, 0.0, 1.0) * show;
   vec4 edge = (outside ? uEdgeOutside : uEdge) * cover;
   color = edge + fill * (1.0 - edge.a);

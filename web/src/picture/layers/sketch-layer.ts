@@ -27,6 +27,10 @@ export function sketchItems(sketch: Sketch, theme: PictureTheme, unitsPerPixel: 
       width: 2.2,
     });
   }
+  for (const at of sketch.crossings ?? []) {
+    items.marks.push({ at, shape: 'disc', size: 16, stroke: theme.warning, width: 2 });
+    items.marks.push({ at, shape: 'cross', size: 5.5, stroke: theme.warning, width: 2 });
+  }
   if (sketch.snap) {
     const { at, kind } = sketch.snap;
     if (kind === 'vertex') {
