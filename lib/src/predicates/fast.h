@@ -2,11 +2,10 @@
 #define CIRCUMBALL_PREDICATES_FAST_H_
 
 #include <cmath>
-#include <cstdint>
-#include <cstring>
 
 #include "circumball/types.h"
 #include "predicates/counters.h"
+#include "predicates/double_bits.h"
 
 #if defined(__GNUC__)
 #define CIRCUMBALL_COLD __attribute__((cold, noinline))
@@ -74,12 +73,8 @@ constexpr double kDistanceBound = 9 * kEpsilon;
 /// gives 2^k (3 + f) / 2; the inequality of the means says that neither is too small. std::sqrt
 /// might have to set errno, which costs more than the rest of a filter.
 inline double sqrt_bound(double x) {
-  std::uint64_t bits;
-  std::memcpy(&bits, &x, sizeof bits);
-  bits = (bits >> 1) + 0x1ff8000000000000u;  // half of the exponent's bias of 1023, in place
-  double bound;
-  std::memcpy(&bound, &bits, sizeof bound);
-  return bound;
+  // Half of the exponent's bias of 1023, in place.
+  return from_bits((to_bits(x) >> 1) + 0x1ff8000000000000u);
 }
 }  // namespace internal
 

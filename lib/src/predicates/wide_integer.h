@@ -3,30 +3,14 @@
 
 #include <cassert>
 #include <cstdint>
-#include <cstring>
+
+#include "predicates/double_bits.h"
 
 /// Integers wide enough for a polynomial of degree six in the coordinates, on the stack, for the
 /// one predicate whose range no expansion of doubles has room for: coordinates of 1e-45 to 1e55
 /// reach over 386 bits, six of them multiplied over more than 2,316, and the exponents of doubles
 /// over 2,098.
 namespace circumball::internal {
-
-/// A finite double as mantissa * 2^exponent, by its bits.
-struct Decoded {
-  std::uint64_t mantissa;  ///< below 2^53
-  int exponent;            ///< -1074 to 971
-  bool negative;
-
-  explicit Decoded(double value) {
-    std::uint64_t bits;
-    std::memcpy(&bits, &value, sizeof bits);
-    const int biased = static_cast<int>(bits >> 52) & 0x7ff;
-    mantissa = bits & 0xfffffffffffffu;
-    if (biased != 0) mantissa |= std::uint64_t{1} << 52;
-    exponent = (biased == 0 ? 1 : biased) - 1075;
-    negative = (bits >> 63) != 0;
-  }
-};
 
 /// Sign and magnitude, in limbs of 32 bits, the lowest first. Schoolbook multiplication (Knuth, The
 /// Art of Computer Programming 2, 4.3.1, algorithm M); the length is that of the value, so ordinary
