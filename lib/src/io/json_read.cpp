@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdint>
 
 #include "io/geojson.h"
@@ -149,6 +150,36 @@ bool read_labeled(const JsonValue& list, std::size_t vertices, const char* wante
   });
 }
 
+/// The vertices of the input come first, and know their own number; those of the box follow, and
+/// have none.
+void count_input_vertices(Mesh* mesh) {
+  std::vector<Feature>& features = mesh->vertex_features;
+  std::uint32_t v = 0;
+  for (; v < features.size() && features[v] == Feature{FeatureKind::kVertex, v}; ++v)
+    ++mesh->input_vertices;
+  for (; v < features.size() && features[v] == Feature{FeatureKind::kVertex, kNoIndex}; ++v) {
+    ++mesh->box_vertices;
+    features[v].index = v;
+  }
+}
+
+/// Of the vertices of a mesh those of the input are the complex, where it is known which they are.
+void drop_steiner_vertices(const Mesh& mesh, Complex* complex) {
+  std::size_t used = 0;  // vertices that the features of the complex need
+  for (const auto& s : complex->segments)
+    used = std::max<std::size_t>({used, s[0] + 1u, s[1] + 1u});
+  for (const Face& face : complex->faces) {
+    for (const auto& loop : face.loops)
+      for (const std::uint32_t v : loop) used = std::max<std::size_t>(used, v + 1u);
+    for (const std::uint32_t v : face.vertices) used = std::max<std::size_t>(used, v + 1u);
+  }
+  std::size_t kept = mesh.input_vertices;
+  if (kept < used) kept += mesh.box_vertices;
+  if (mesh.input_vertices == 0 || kept < used) return;
+  complex->vertices.resize(kept);
+  if (!complex->vertex_markers.empty()) complex->vertex_markers.resize(kept);
+}
+
 bool read_mesh(const JsonValue& value, ReadResult& result) {
   Mesh mesh;
   Complex& complex = result.complex;
@@ -193,11 +224,7 @@ bool read_mesh(const JsonValue& value, ReadResult& result) {
     for (const MeshEdge& e : mesh.edges)
       mesh.edge_markers.push_back(
           e.segment < complex.segment_markers.size() ? complex.segment_markers[e.segment] : 0);
-  // The vertices of the input come first, and know their own number.
-  for (std::uint32_t v = 0; v < mesh.vertex_features.size(); ++v) {
-    if (!(mesh.vertex_features[v] == Feature{FeatureKind::kVertex, v})) break;
-    ++mesh.input_vertices;
-  }
+  count_input_vertices(&mesh);
   result.mesh = std::move(mesh);
   return true;
 }
@@ -265,12 +292,7 @@ void read_own(const JsonValue& document, ReadResult& result) {
   }
   if (const Json* mesh = document.find("mesh")) {
     if (!read_mesh(document.member(*mesh, "mesh"), result)) return;
-    // Of the vertices of the mesh the input's are the complex, where it is known which they are.
-    const std::uint32_t input = result.mesh->input_vertices;
-    if (input > 0) {
-      complex.vertices.resize(input);
-      if (!complex.vertex_markers.empty()) complex.vertex_markers.resize(input);
-    }
+    drop_steiner_vertices(*result.mesh, &complex);
   }
 }
 

@@ -15,7 +15,7 @@ constexpr std::size_t kMaxJsonBytes = std::size_t{1} << 28;
 class Scout : public nlohmann::json_sax<Json> {
  public:
   bool too_deep = false;
-  bool overflow = false;
+  bool overflow = false, ended = false;
   std::size_t position = 0;
 
   bool null() override { return true; }
@@ -32,6 +32,10 @@ class Scout : public nlohmann::json_sax<Json> {
   bool end_array() override { return depth_-- > 0; }
   bool parse_error(std::size_t at, const std::string&, const Json::exception& error) override {
     position = at;
+    // The library tells the end of the input from other surprises in words only.
+    const std::string_view what = error.what();
+    ended = what.find("unexpected end of input") != std::string_view::npos ||
+            what.find("missing closing quote") != std::string_view::npos;
     overflow = error.id == 406;  // out_of_range.406: a number that no double can hold
     return false;
   }
@@ -64,10 +68,9 @@ bool parse_json(std::string_view bytes, Json* json, ReadResult& result) {
     if (scout.overflow)
       return fail_at(result, static_cast<std::size_t>(line) + 1, "not-finite",
                      "the number " + where + " is too large for a double: make it smaller");
-    const bool ended = scout.position >= bytes.size();
-    return fail_at(result, static_cast<std::size_t>(line) + 1, ended ? "truncated" : "syntax",
-                   ended ? "the JSON ends in the middle: the file is cut off"
-                         : "the JSON is not well-formed " + where + ": correct it there");
+    return fail_at(result, static_cast<std::size_t>(line) + 1, scout.ended ? "truncated" : "syntax",
+                   scout.ended ? "the JSON ends in the middle: the file is cut off"
+                               : "the JSON is not well-formed " + where + ": correct it there");
   }
   *json = Json::parse(bytes.begin(), bytes.end(), nullptr, /*allow_exceptions=*/false);
   return true;

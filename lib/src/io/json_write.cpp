@@ -134,8 +134,12 @@ std::string write_json_mesh(const Mesh& mesh, const Complex& complex) {
     out += ",\n    \"vertexFeatures\": " +
            json_array(mesh.vertex_features.size(), "    ", [&](std::size_t i) {
              const Feature& f = mesh.vertex_features[i];
-             return "[" + std::to_string(static_cast<int>(f.kind)) + ", " + signed_index(f.index) +
-                    "]";
+             // A corner of the box is a vertex of no number: so the reader knows where the input
+             // ends.
+             const bool of_box =
+                 i >= mesh.input_vertices && i - mesh.input_vertices < mesh.box_vertices;
+             return "[" + std::to_string(static_cast<int>(f.kind)) + ", " +
+                    (of_box ? "-1" : signed_index(f.index)) + "]";
            });
   if (!mesh.edges.empty())
     out += ",\n    \"edges\": " + json_array(mesh.edges.size(), "    ", [&](std::size_t i) {

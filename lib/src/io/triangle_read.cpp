@@ -44,6 +44,8 @@ class Parser {
       *value = static_cast<std::int64_t>(*number);
       return true;
     }
+    if (number && (*number > 9007199254740992.0 || *number < -9007199254740992.0))
+      return fail_here("too-large", what + " is " + in_quotes(word) + ": make it smaller");
     return fail_here("syntax", what + " should be an integer, not " + in_quotes(word));
   }
 
