@@ -24,7 +24,13 @@ export const texts = {
     more: 'More',
     fold: 'Panel',
   },
-  tools: { title: 'Tools', watch: 'Watch', watchHint: 'Look around, pick a vertex, an edge or a triangle.' },
+  tools: {
+    title: 'Tools',
+    watch: 'Watch',
+    picture: 'picture',
+    meshLabel: 'The mesh. Arrow keys step, plus and minus zoom.',
+    inputLabel: 'The input. Arrow keys move the cursor, Enter sets a point.',
+  },
   panel: {
     title: 'Details',
     now: 'Now',
@@ -55,7 +61,8 @@ export const texts = {
     empty: 'The queue is empty.',
     more: (n: number) => `and ${formatCount(n)} more`,
     length: (n: number, segments: number) =>
-      `${formatCount(n)} waiting` + (segments > 0 ? `, ${formatCount(segments)} of them subsegments` : ''),
+      `${formatCount(n)} waiting` +
+      (segments > 0 ? `, ${formatCount(segments)} of them subsegments` : ''),
   },
   transport: {
     play: 'Play',
@@ -79,7 +86,8 @@ export const texts = {
     crashed: 'The core stopped unexpectedly and was started again. Your drawing is safe.',
     hung: 'The core did not answer and was started again. Your drawing is safe.',
     limits: {
-      vertices: 'The bound on vertices was reached. Raise it under Parameters, or change the input.',
+      vertices:
+        'The bound on vertices was reached. Raise it under Parameters, or change the input.',
       other: 'A limit was reached: the mesh is valid, but not everything could be made acceptable.',
     },
   },

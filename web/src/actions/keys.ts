@@ -11,7 +11,7 @@ export interface KeyPress {
 
 /** Does a key press match "Mod+Shift+Z"? Mod is Control, or Command on a Mac. Digits match by place, so that Shift keeps them. */
 export function matches(shortcut: string, e: KeyPress): boolean {
-  const parts = shortcut.split('+');
+  const parts = split(shortcut);
   const key = parts.pop()!;
   const wants = (modifier: string) => parts.includes(modifier);
   if (wants('Mod') !== (e.ctrlKey || e.metaKey)) return false;
@@ -26,8 +26,13 @@ export function matches(shortcut: string, e: KeyPress): boolean {
 
 /** Without a modifier a shortcut is a single key, which speech input can trip over: it can be turned off (WCAG 2.1.4). */
 export function isSingleCharacter(shortcut: string): boolean {
-  const key = shortcut.split('+').at(-1)!;
+  const key = split(shortcut).at(-1)!;
   return key.length === 1 && !shortcut.includes('Mod+') && !shortcut.includes('Alt+');
+}
+
+/** "Mod+Z" in parts; "+" itself is a key. */
+function split(shortcut: string): string[] {
+  return shortcut.split(/\+(?=.)/);
 }
 
 const isMac = typeof navigator !== 'undefined' && /Mac|iPhone|iPad/.test(navigator.platform);
@@ -47,5 +52,7 @@ const names: Readonly<Record<string, string>> = {
 
 /** "Mod+Shift+Z" as keys to show. */
 export function keyCaps(shortcut: string): string[] {
-  return shortcut.split('+').map((part) => names[part] ?? (part.length === 1 ? part.toUpperCase() : part));
+  return split(shortcut).map(
+    (part) => names[part] ?? (part.length === 1 ? part.toUpperCase() : part),
+  );
 }

@@ -1,6 +1,6 @@
+import type { JumpTarget } from '../replay/timeline.ts';
 import { app } from '../store/app.svelte.ts';
 import { texts } from '../texts.ts';
-import type { JumpTarget } from '../replay/timeline.ts';
 import type { Action } from './types.ts';
 
 /** Every action of the page. Buttons and menus name them by id; shortcuts and the help sheet read the list. */
@@ -36,7 +36,8 @@ function jumps(target: JumpTarget, digit: number): Action[] {
 const speeds = [1, 2, 4, 6, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10_000];
 
 function changeSpeed(by: 1 | -1): void {
-  const next = by > 0 ? speeds.find((s) => s > settings.speed) : speeds.findLast((s) => s < settings.speed);
+  const next =
+    by > 0 ? speeds.find((s) => s > settings.speed) : speeds.findLast((s) => s < settings.speed);
   if (next !== undefined) settings.speed = next;
   app.announcement = `${texts.transport.speed} ${settings.speed}`;
 }
@@ -51,10 +52,38 @@ const play: Action[] = [
     pressed: () => playback.playing,
     perform: () => (app.fresh ? playback.toggle() : void app.refine({ play: true })),
   },
-  { id: 'step', title: texts.transport.step, group: 'Play', keys: ['ArrowRight'], enabled: hasTrace, perform: () => playback.step(1) },
-  { id: 'step-back', title: texts.transport.stepBack, group: 'Play', keys: ['ArrowLeft'], enabled: hasTrace, perform: () => playback.step(-1) },
-  { id: 'start', title: texts.transport.start, group: 'Play', keys: ['Home'], enabled: hasTrace, perform: () => playback.step(Number.NEGATIVE_INFINITY) },
-  { id: 'end', title: texts.transport.end, group: 'Play', keys: ['End'], enabled: hasTrace, perform: () => playback.step(Number.POSITIVE_INFINITY) },
+  {
+    id: 'step',
+    title: texts.transport.step,
+    group: 'Play',
+    keys: ['ArrowRight'],
+    enabled: hasTrace,
+    perform: () => playback.step(1),
+  },
+  {
+    id: 'step-back',
+    title: texts.transport.stepBack,
+    group: 'Play',
+    keys: ['ArrowLeft'],
+    enabled: hasTrace,
+    perform: () => playback.step(-1),
+  },
+  {
+    id: 'start',
+    title: texts.transport.start,
+    group: 'Play',
+    keys: ['Home'],
+    enabled: hasTrace,
+    perform: () => playback.step(Number.NEGATIVE_INFINITY),
+  },
+  {
+    id: 'end',
+    title: texts.transport.end,
+    group: 'Play',
+    keys: ['End'],
+    enabled: hasTrace,
+    perform: () => playback.step(Number.POSITIVE_INFINITY),
+  },
   { id: 'faster', title: 'Faster', group: 'Play', keys: ['>'], perform: () => changeSpeed(1) },
   { id: 'slower', title: 'Slower', group: 'Play', keys: ['<'], perform: () => changeSpeed(-1) },
   {
@@ -65,15 +94,57 @@ const play: Action[] = [
     enabled: () => !doc.isEmpty && !app.run.busy,
     perform: () => void app.refine({}),
   },
-  { id: 'stop', title: texts.transport.stop, group: 'Play', keys: ['Mod+.'], enabled: () => app.run.busy, perform: () => void app.run.stop() },
+  {
+    id: 'stop',
+    title: texts.transport.stop,
+    group: 'Play',
+    keys: ['Mod+.'],
+    enabled: () => app.run.busy,
+    perform: () => void app.run.stop(),
+  },
 ];
 
 const edit: Action[] = [
-  { id: 'undo', title: () => texts.undo(doc.undoTitle), group: 'Edit', keys: ['Mod+Z'], enabled: () => doc.canUndo, perform: () => doc.editor.undo() },
-  { id: 'redo', title: () => texts.redo(doc.redoTitle), group: 'Edit', keys: ['Mod+Shift+Z', 'Mod+Y'], enabled: () => doc.canRedo, perform: () => doc.editor.redo() },
-  { id: 'select-all', title: 'Select all', group: 'Edit', keys: ['Mod+A'], enabled: () => app.mode === 'draw', perform: () => doc.editor.selectAll() },
-  { id: 'duplicate', title: 'Duplicate', group: 'Edit', keys: ['Mod+D'], enabled: hasSelection, perform: () => doc.editor.duplicateSelection() },
-  { id: 'delete', title: 'Delete', group: 'Edit', keys: ['Delete', 'Backspace'], enabled: hasSelection, perform: () => doc.editor.deleteSelection() },
+  {
+    id: 'undo',
+    title: () => texts.undo(doc.undoTitle),
+    group: 'Edit',
+    keys: ['Mod+Z'],
+    enabled: () => doc.canUndo,
+    perform: () => doc.editor.undo(),
+  },
+  {
+    id: 'redo',
+    title: () => texts.redo(doc.redoTitle),
+    group: 'Edit',
+    keys: ['Mod+Shift+Z', 'Mod+Y'],
+    enabled: () => doc.canRedo,
+    perform: () => doc.editor.redo(),
+  },
+  {
+    id: 'select-all',
+    title: 'Select all',
+    group: 'Edit',
+    keys: ['Mod+A'],
+    enabled: () => app.mode === 'draw',
+    perform: () => doc.editor.selectAll(),
+  },
+  {
+    id: 'duplicate',
+    title: 'Duplicate',
+    group: 'Edit',
+    keys: ['Mod+D'],
+    enabled: hasSelection,
+    perform: () => doc.editor.duplicateSelection(),
+  },
+  {
+    id: 'delete',
+    title: 'Delete',
+    group: 'Edit',
+    keys: ['Delete', 'Backspace'],
+    enabled: hasSelection,
+    perform: () => doc.editor.deleteSelection(),
+  },
   {
     id: 'split',
     title: texts.document.split,
@@ -89,7 +160,10 @@ const edit: Action[] = [
     keys: [],
     enabled: () => !doc.isEmpty,
     perform: () => {
-      doc.editor.replace({ vertices: [], segments: [], holes: [], regions: [] }, texts.document.clear);
+      doc.editor.replace(
+        { vertices: [], segments: [], holes: [], regions: [] },
+        texts.document.clear,
+      );
       doc.title = '';
     },
   },
@@ -132,21 +206,97 @@ const tools: Action[] = [
 ];
 
 const view: Action[] = [
-  { id: 'fit', title: 'Fit to the picture', group: 'View', keys: ['0'], perform: () => app.picture?.fit() },
-  { id: 'zoom-in', title: 'Zoom in', group: 'View', keys: ['+', '='], perform: () => app.picture?.zoomBy(1.4) },
-  { id: 'zoom-out', title: 'Zoom out', group: 'View', keys: ['-'], perform: () => app.picture?.zoomBy(1 / 1.4) },
-  { id: 'theme', title: 'Dark or light', group: 'View', keys: ['Shift+D'], perform: () => settings.cycleTheme() },
-  { id: 'panel', title: 'Fold the panel', group: 'View', keys: ['Mod+B'], pressed: () => settings.panelOpen, perform: () => (settings.panelOpen = !settings.panelOpen) },
-  { id: 'legend', title: texts.legend.title, group: 'View', keys: ['Shift+L'], pressed: () => settings.legendOpen, perform: () => (settings.legendOpen = !settings.legendOpen) },
+  {
+    id: 'fit',
+    title: 'Fit to the picture',
+    group: 'View',
+    keys: ['0'],
+    perform: () => app.picture?.fit(),
+  },
+  {
+    id: 'zoom-in',
+    title: 'Zoom in',
+    group: 'View',
+    keys: ['+', '='],
+    perform: () => app.picture?.zoomBy(1.4),
+  },
+  {
+    id: 'zoom-out',
+    title: 'Zoom out',
+    group: 'View',
+    keys: ['-'],
+    perform: () => app.picture?.zoomBy(1 / 1.4),
+  },
+  {
+    id: 'theme',
+    title: 'Dark or light',
+    group: 'View',
+    keys: ['Shift+D'],
+    perform: () => settings.cycleTheme(),
+  },
+  {
+    id: 'panel',
+    title: 'Fold the panel',
+    group: 'View',
+    keys: ['Mod+B'],
+    pressed: () => settings.panelOpen,
+    perform: () => (settings.panelOpen = !settings.panelOpen),
+  },
+  {
+    id: 'legend',
+    title: texts.legend.title,
+    group: 'View',
+    keys: ['Shift+L'],
+    pressed: () => settings.legendOpen,
+    perform: () => (settings.legendOpen = !settings.legendOpen),
+  },
 ];
 
 const file: Action[] = [
-  { id: 'gallery', title: texts.top.examples, group: 'File', keys: ['Shift+E'], perform: () => (app.dialog = 'gallery') },
-  { id: 'open', title: 'Open a file', group: 'File', keys: ['Mod+O'], perform: () => document.getElementById('open-file')?.click() },
-  { id: 'export', title: texts.top.export, group: 'File', keys: ['Mod+S'], enabled: () => !doc.isEmpty, perform: () => (app.dialog = 'export') },
-  { id: 'share', title: texts.top.share, group: 'File', keys: ['Mod+L'], enabled: () => !doc.isEmpty, perform: () => (app.dialog = 'share') },
-  { id: 'help', title: texts.top.help, group: 'Help', keys: ['?', 'F1'], perform: () => (app.dialog = 'help') },
-  { id: 'tour', title: texts.help.tour, group: 'Help', keys: [], perform: () => void import('../ui/tour.ts').then((m) => m.startTour()) },
+  {
+    id: 'gallery',
+    title: texts.top.examples,
+    group: 'File',
+    keys: ['Shift+E'],
+    perform: () => (app.dialog = 'gallery'),
+  },
+  {
+    id: 'open',
+    title: 'Open a file',
+    group: 'File',
+    keys: ['Mod+O'],
+    perform: () => document.getElementById('open-file')?.click(),
+  },
+  {
+    id: 'export',
+    title: texts.top.export,
+    group: 'File',
+    keys: ['Mod+S'],
+    enabled: () => !doc.isEmpty,
+    perform: () => (app.dialog = 'export'),
+  },
+  {
+    id: 'share',
+    title: texts.top.share,
+    group: 'File',
+    keys: ['Mod+L'],
+    enabled: () => !doc.isEmpty,
+    perform: () => (app.dialog = 'share'),
+  },
+  {
+    id: 'help',
+    title: texts.top.help,
+    group: 'Help',
+    keys: ['?', 'F1'],
+    perform: () => (app.dialog = 'help'),
+  },
+  {
+    id: 'tour',
+    title: texts.help.tour,
+    group: 'Help',
+    keys: [],
+    perform: () => void import('../ui/tour.ts').then((m) => m.startTour()),
+  },
 ];
 
 export const actions: readonly Action[] = [

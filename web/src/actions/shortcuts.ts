@@ -9,14 +9,22 @@ export function handleKey(e: KeyboardEvent): void {
   const target = e.target instanceof HTMLElement ? e.target : document.body;
   const isCommand = e.ctrlKey || e.metaKey;
   if (takesText(target) && !(isCommand && e.key === 'Enter')) return;
-  if (target.closest('button, a, summary, [role=tab]') && (e.key === ' ' || e.key === 'Enter') && !isCommand) return;
+  if (
+    target.closest('button, a, summary, [role=tab]') &&
+    (e.key === ' ' || e.key === 'Enter') &&
+    !isCommand
+  )
+    return;
   if (ownsArrows(target) && /^(Arrow|Home|End)/.test(e.key)) return;
   if (app.mode === 'draw' && isPictureOrPage(target) && editorTakes(e)) {
     e.preventDefault();
     return;
   }
   for (const action of actions) {
-    if (!action.keys.some((k) => matches(k, e) && (app.settings.singleKeys || !isSingleCharacter(k)))) continue;
+    if (
+      !action.keys.some((k) => matches(k, e) && (app.settings.singleKeys || !isSingleCharacter(k)))
+    )
+      continue;
     e.preventDefault();
     if (isEnabled(action)) action.perform();
     return;
@@ -39,8 +47,16 @@ function isPictureOrPage(target: HTMLElement): boolean {
 }
 
 function takesText(target: HTMLElement): boolean {
-  if (target.isContentEditable || target instanceof HTMLTextAreaElement || target instanceof HTMLSelectElement) return true;
-  return target instanceof HTMLInputElement && !['checkbox', 'radio', 'range', 'button', 'file'].includes(target.type);
+  if (
+    target.isContentEditable ||
+    target instanceof HTMLTextAreaElement ||
+    target instanceof HTMLSelectElement
+  )
+    return true;
+  return (
+    target instanceof HTMLInputElement &&
+    !['checkbox', 'radio', 'range', 'button', 'file'].includes(target.type)
+  );
 }
 
 function ownsArrows(target: HTMLElement): boolean {

@@ -81,7 +81,9 @@ const api = {
   },
 
   /** Runs to the end, handing out the trace as it grows. The receiver's answer is waited for: it sets the pace. */
-  async work(onSlice: (chunk: TraceChunk, progress: Progress) => Promise<void>): Promise<Progress | null> {
+  async work(
+    onSlice: (chunk: TraceChunk, progress: Progress) => Promise<void>,
+  ): Promise<Progress | null> {
     const handle = run;
     if (handle === null) return null;
     for (;;) {
@@ -107,7 +109,10 @@ const api = {
     return run === null ? { ok: false, error: 'no run', files: [] } : core.write(run, extension);
   },
 
-  writeComplex(complex: string, extension: string): { ok: boolean; error: string; files: OutputFile[] } {
+  writeComplex(
+    complex: string,
+    extension: string,
+  ): { ok: boolean; error: string; files: OutputFile[] } {
     return core.writeComplex(complex, extension);
   },
 };

@@ -1,5 +1,5 @@
 import type { RunOptions } from 'circumball';
-import { strFromU8, strToU8, deflateSync, inflateSync } from 'fflate';
+import { deflateSync, inflateSync, strFromU8, strToU8 } from 'fflate';
 import { complexFromJson, complexToText } from '../core/complex-json.ts';
 import type { ColorMode, Complex2, View } from '../shared/types.ts';
 
@@ -40,7 +40,9 @@ export function fromHash(hash: string): Shared | null {
       ...(typeof color === 'string' ? { color: color as ColorMode } : {}),
     };
   } catch {
-    throw new Error('The link is damaged: perhaps it was cut off. Ask for it again, or for the exported input.');
+    throw new Error(
+      'The link is damaged: perhaps it was cut off. Ask for it again, or for the exported input.',
+    );
   }
 }
 
@@ -71,7 +73,9 @@ function isComplexJson(x: unknown): x is Parameters<typeof complexFromJson>[0] {
 }
 
 function isView(x: unknown): x is View {
-  return isRecord(x) && [x.x, x.y, x.scale].every((n) => Number.isFinite(n)) && (x.scale as number) > 0;
+  return (
+    isRecord(x) && [x.x, x.y, x.scale].every((n) => Number.isFinite(n)) && (x.scale as number) > 0
+  );
 }
 
 function toBase64(bytes: Uint8Array): string {

@@ -15,7 +15,11 @@ export function midpoint(a: Point, b: Point): Point {
 }
 
 /** Circumcenter and radius; null for a flat triangle. Relative to a, so that offset coordinates lose nothing. */
-export function circumcircle(a: Point, b: Point, c: Point): { center: Point; radius: number } | null {
+export function circumcircle(
+  a: Point,
+  b: Point,
+  c: Point,
+): { center: Point; radius: number } | null {
   const bx = b[0] - a[0];
   const by = b[1] - a[1];
   const cx = c[0] - a[0];

@@ -29,7 +29,11 @@ export class AngleCache {
     if (this.values[3 * n]! < 0) {
       const t = this.trace.triangles.data;
       const xy = this.trace.coordinates.data;
-      const three = angles(point(xy, t[3 * n]!), point(xy, t[3 * n + 1]!), point(xy, t[3 * n + 2]!));
+      const three = angles(
+        point(xy, t[3 * n]!),
+        point(xy, t[3 * n + 1]!),
+        point(xy, t[3 * n + 2]!),
+      );
       this.values.set(three, 3 * n);
     }
     return [this.values[3 * n]!, this.values[3 * n + 1]!, this.values[3 * n + 2]!];
@@ -62,7 +66,8 @@ export function trianglesInBin(state: MeshState, cache: AngleCache, bin: number)
   for (let i = 0; i < state.liveTriangleCount; i++) {
     const n = state.liveTriangles[i]!;
     if (state.triangleLabel[n] === Label.outside) continue;
-    if (cache.of(n).some((a) => Math.min(BINS - 1, Math.floor(a / BIN_DEGREES)) === bin)) found.add(n);
+    if (cache.of(n).some((a) => Math.min(BINS - 1, Math.floor(a / BIN_DEGREES)) === bin))
+      found.add(n);
   }
   return found;
 }

@@ -1,8 +1,8 @@
 import type { Moment, MomentKind, Point, RuleName } from '../shared/types.ts';
-import { describe } from './describe.ts';
 import { Kind, NONE, Reason, type TraceEvent } from './event.ts';
 import { circumcircle, distance, midpoint, point } from './geometry.ts';
 import type { Replay } from './replay.ts';
+import { sentenceOf } from './sentence.ts';
 
 const kinds: readonly MomentKind[] = [
   'step-began',
@@ -35,7 +35,7 @@ export function momentAt(replay: Replay, position: number, forward = true): Mome
     yieldTo: yields ? e.other : null,
     vertex: e.kind === Kind.inserted ? e.subject : null,
     change: replay.change(position - 1, forward),
-    sentence: describe(e, trace.steps),
+    sentence: sentenceOf(e, trace.steps),
   };
 }
 

@@ -61,7 +61,8 @@ export class QueueHistory {
       else if (this.isReturned.data[i] && order === 'birth') returned.push(i);
       else triangles.push(i);
     }
-    if (order === 'value') triangles.sort((i, j) => this.value.data[j]! - this.value.data[i]! || i - j);
+    if (order === 'value')
+      triangles.sort((i, j) => this.value.data[j]! - this.value.data[i]! || i - j);
     returned.reverse(); // who came back last stands at the head
     const all = segments.concat(returned, triangles);
     return {

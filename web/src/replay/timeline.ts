@@ -51,7 +51,12 @@ export type JumpTarget = 'insertion' | 'refusal' | 'yield' | 'step';
  * The position right after the next event of a sort beyond `position` (or, backwards, before it): the moment that shows it.
  * Null if there is none.
  */
-export function jump(trace: Trace, position: number, target: JumpTarget, forward: boolean): number | null {
+export function jump(
+  trace: Trace,
+  position: number,
+  target: JumpTarget,
+  forward: boolean,
+): number | null {
   if (target === 'step') return jumpStep(trace, position, forward);
   const before =
     target === 'insertion'

@@ -125,7 +125,7 @@ export class Trace {
       for (let k = 0; k < dead; k++, stream += 4) this.killTriangle(simplices, stream, i);
       for (let k = 0; k < event.other[1]; k++, stream += 4) this.bearTriangle(simplices, stream, i);
     }
-        this.changeDead.push(dead);
+    this.changeDead.push(dead);
     this.changeStart.push(this.changes.length);
     this.insertedBefore.push(this.insertedBefore.at(i) + (event.kind === Kind.inserted ? 1 : 0));
     this.refusedBefore.push(this.refusedBefore.at(i) + (event.kind === Kind.refused ? 1 : 0));

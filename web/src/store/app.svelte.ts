@@ -112,7 +112,10 @@ export class App {
       if (readable) this.open(complex, main.name);
       this.showDefects(answer.defects);
       if (fatal.length > 0) {
-        this.say(readable ? fatal[0]!.message : `${texts.open.failed(main.name)} ${fatal[0]!.message}`, 'bad');
+        this.say(
+          readable ? fatal[0]!.message : `${texts.open.failed(main.name)} ${fatal[0]!.message}`,
+          'bad',
+        );
         this.tab = 'setup';
       } else {
         this.say(texts.open.opened(main.name));

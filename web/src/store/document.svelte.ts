@@ -81,7 +81,8 @@ export class DocumentStore {
     this.checking = setTimeout(async () => {
       const asked = this.complex;
       try {
-        const defects = asked.vertices.length > 0 ? await this.core.check(complexToText(asked)) : [];
+        const defects =
+          asked.vertices.length > 0 ? await this.core.check(complexToText(asked)) : [];
         if (asked === this.complex) this.defects = defects;
       } catch {
         // The core was lost; it is checked again after the next change, and at the next run.

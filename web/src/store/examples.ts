@@ -47,7 +47,9 @@ interface Entry {
 }
 
 function parse(index: unknown): Example[] {
-  const list = (Array.isArray(index) ? index : ((index as { examples?: unknown })?.examples ?? [])) as Entry[];
+  const list = (
+    Array.isArray(index) ? index : ((index as { examples?: unknown })?.examples ?? [])
+  ) as Entry[];
   return list
     .filter((e) => (e.dimension ?? 2) === 2)
     .map((e) => {

@@ -62,4 +62,3 @@ export class ParameterStore {
 
 /** A recorded run takes about a kilobyte a vertex in the page; more is asked for by hand. */
 const DEFAULT_MAX_VERTICES = 200_000;
-

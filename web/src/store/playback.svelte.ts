@@ -1,5 +1,5 @@
-import { momentAt } from '../replay/moment.ts';
 import { AngleCache } from '../replay/measure.ts';
+import { momentAt } from '../replay/moment.ts';
 import { Replay } from '../replay/replay.ts';
 import { type JumpTarget, jump, weight } from '../replay/timeline.ts';
 import type { Trace } from '../replay/trace.ts';

@@ -4,7 +4,14 @@ import { complexToText } from '../core/complex-json.ts';
 import { Trace } from '../replay/trace.ts';
 import type { Complex2 } from '../shared/types.ts';
 
-export type RunPhase = 'none' | 'starting' | 'running' | 'complete' | 'limit' | 'cancelled' | 'failed';
+export type RunPhase =
+  | 'none'
+  | 'starting'
+  | 'running'
+  | 'complete'
+  | 'limit'
+  | 'cancelled'
+  | 'failed';
 
 /** One run of the core and what it has handed out so far. Replaced as a whole by the next one. */
 export class RunStore {

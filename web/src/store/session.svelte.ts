@@ -1,6 +1,6 @@
+import { complexFromJson } from '../core/complex-json.ts';
 import { fromHash, toHash } from '../link/link.ts';
 import type { App } from './app.svelte.ts';
-import { complexFromJson } from '../core/complex-json.ts';
 import { type Example, examples, load } from './examples.ts';
 
 /** How a visit begins, and what of it survives a reload. */
@@ -55,14 +55,17 @@ export async function openExample(
   app.open(complexFromJson(answer.complex), example.title, example.options);
   const still = app.settings.reducedMotion || document.visibilityState === 'hidden';
   await app.refine({ play: !still });
-  if (first && app.doc.title === example.title) app.announcement = `${example.title}. ${example.text}`;
+  if (first && app.doc.title === example.title)
+    app.announcement = `${example.title}. ${example.text}`;
 }
 
 function read() {
   try {
     const { hash, title } = JSON.parse(localStorage.getItem(WORK) ?? '{}');
     const shared = typeof hash === 'string' ? fromHash(hash) : null;
-    return shared && shared.complex.vertices.length > 0 ? { shared, title: String(title ?? '') } : null;
+    return shared && shared.complex.vertices.length > 0
+      ? { shared, title: String(title ?? '') }
+      : null;
   } catch {
     return null;
   }

@@ -1,13 +1,14 @@
+import { histogram } from '../replay/measure.ts';
 import { app } from '../store/app.svelte.ts';
 import { formatCount, formatDegrees, formatNumber } from '../texts.ts';
-import { histogram } from '../replay/measure.ts';
 
 /** A figure caption with everything that is needed to make the figure again. */
 export function caption(): string {
   const { doc, run, playback } = app;
   const title = doc.title || 'A planar straight-line complex';
   const input = `${formatCount(doc.complex.vertices.length)} vertices, ${formatCount(doc.complex.segments.length)} segments`;
-  if (!run.trace || !playback.replay || !playback.angles) return `${title} (${input}). Circumball ${app.hello?.version ?? ''}.`;
+  if (!run.trace || !playback.replay || !playback.angles)
+    return `${title} (${input}). Circumball ${app.hello?.version ?? ''}.`;
   const algorithm = app.algorithms.find((a) => a.id === run.algorithm)?.title ?? run.algorithm;
   const { algorithm: _, maxVertices: __, parameters, ...rest } = run.options;
   const set = Object.entries({ ...rest, ...parameters }).map(([k, v]) => `${k} = ${v}`);

@@ -5,7 +5,7 @@ import { Kind, NONE, Reason, type TraceEvent } from './event.ts';
  * The sentence of an event, in the words of the four rules, naming the witness: what circumball::describe says for the
  * command, with the names that the panel uses.
  */
-export function describe(e: TraceEvent, steps: readonly string[]): string {
+export function sentenceOf(e: TraceEvent, steps: readonly string[]): string {
   const name = simplexName(e.simplex, e.segment);
   const step = steps[e.step] ?? String(e.step);
   switch (e.kind) {
