@@ -146,6 +146,7 @@ Reduced reduce_any(double x) {
 
 double sin(double x) {
   if (!(std::fabs(x) < kInfinity)) return kNaN;
+  if (x == 0) return x;  // with its sign
   const Reduced r = reduce_any(x);
   return sin_in_quadrant(r, r.quadrant);
 }

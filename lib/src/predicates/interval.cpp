@@ -41,9 +41,10 @@ Interval positive_power(const Interval& a, unsigned n) {
 /// The image of a under sine, if `shift` is 0, or under cosine, if it is 1 (cos x = sin(x + pi/2)).
 Interval sine(const Interval& a, int shift) {
   if (a.is_empty()) return a;
-  // Two quarter turns of equal number are the same one or a whole turn apart; 4 lies well between
+  // Below a whole turn. Two quarter turns of equal number are the same one or almost a whole turn
+  // apart; 4 lies well between
   // pi/2 and 3 pi/2.
-  if (!(a.hi - a.lo < 6)) return {-1, 1};
+  if (!(a.hi - a.lo < 6.283)) return {-1, 1};
   const int from = elementary::quarter_turn(a.lo), to = elementary::quarter_turn(a.hi);
   int turns = (to - from) & 3;
   if (turns == 0 && a.hi - a.lo > 4) turns = 4;
