@@ -12,7 +12,7 @@ namespace {
 
 class Reader {
  public:
-  Reader(LineWork* lines, ReadResult* result) : lines_(*lines), result_(*result) {}
+  explicit Reader(LineWork* lines) : lines_(*lines) {}
 
   /// A geometry, a feature or a collection. Nesting is bounded: the parser has checked the depth.
   bool object(const JsonValue& value) {
@@ -77,7 +77,6 @@ class Reader {
   }
 
   LineWork& lines_;
-  ReadResult& result_;
 };
 
 }  // namespace
@@ -86,7 +85,7 @@ void read_geojson(const JsonValue& document, ReadResult& result) {
   result.format = "geojson";
   result.complex.hole_rule = HoleRule::kParity;
   LineWork lines(&result.complex);
-  if (!Reader(&lines, &result).object(document)) return;
+  if (!Reader(&lines).object(document)) return;
   if (result.complex.vertices.empty())
     fail(result, "empty", "the GeoJSON has no coordinates: add a geometry");
 }
