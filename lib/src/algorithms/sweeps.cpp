@@ -62,7 +62,7 @@ class DivideSegments final : public Stage {
     View view(w.live, w.recorder.on());
     for (std::uint32_t i = 1; i < n; ++i) {
       if (!w.within_limits()) return;
-      const Point2 p = division_point(a, b, i, n);
+      const Point2 p = view.outward(division_point(a, b, i, n), s);
       ++w.iterations;
       if (view.look_at_midpoint(p, s) == Outlook::kCoincides) {
         ++w.refused;

@@ -68,6 +68,17 @@ std::array<SubsegmentId, 2> Live2::split(SubsegmentId s, VertexId m) {
   subsegments_.push_back(second);
   tag_edge(left);
   tag_edge(right);
+  // m is rounded: where another vertex is as near to the subsegment as m, the old edge may have stayed. The triangle
+  // between it and m is on the far side of the new subsegments then.
+  if (const HalfEdge h = triangulation_.find_edge(first.a, second.b); h != kNone) {
+    triangulation_.set_tag(h, kNone);
+    const HalfEdge other = triangulation_.twin(h);
+    const bool near = triangulation_.apex(h) == m;
+    if (near || triangulation_.apex(other) == m) {
+      const TriangleId flat = (near ? h : other) / 4, beyond = (near ? other : h) / 4;
+      triangulation_.set_label(flat, triangulation_.triangle(beyond).label);
+    }
+  }
   return {left, right};
 }
 
@@ -228,8 +239,9 @@ void Live2::classify() {
 bool Live2::in_domain(TriangleId t, std::vector<TriangleId>* relabeled) {
   Delaunay2& dt = triangulation_;
   if (dt.is_ghost(t)) return false;
-  if (!classified_ || (domain_ != Domain::kClosed && complex_->regions.empty())) return true;
+  if (!classified_) return true;
   if (dt.triangle(t).label != kUnknown) return dt.triangle(t).label != kOutside;
+  if (domain_ != Domain::kClosed && complex_->regions.empty()) return true;
   // Flood the triangles that lost their label until one is met that has it: they are one piece of the domain.
   std::uint32_t label = kUnknown;
   std::vector<TriangleId> piece{t};

@@ -4,6 +4,24 @@
 
 namespace circumball {
 
+Point2 View::outward(const Point2& p, SubsegmentId s) const {
+  HalfEdge h = live_.edge_of(s);
+  if (h == kNone) return p;
+  if (dt_.apex(h) == Delaunay2::kGhost) h = dt_.twin(h);
+  if (dt_.apex(h) == Delaunay2::kGhost || dt_.apex(dt_.twin(h)) != Delaunay2::kGhost) return p;
+  const Point2 a = dt_.point(dt_.origin(h)), b = dt_.point(dt_.target(h));  // inside on the left
+  const auto inside = [&](const Point2& q) { return orient2d(a, b, q) == Sign::kPositive; };
+  if (!inside(p)) return p;
+  const auto step = [](double x, double direction) {
+    return direction == 0 ? x : std::nextafter(x, direction > 0 ? HUGE_VAL : -HUGE_VAL);
+  };
+  // p is within half an ulp of the line in each coordinate, so that a whole ulp in both is enough.
+  const Point2 q{step(p.x, b.y - a.y), step(p.y, a.x - b.x)};
+  if (const Point2 only_x{q.x, p.y}; !inside(only_x)) return only_x;
+  if (const Point2 only_y{p.x, q.y}; !inside(only_y)) return only_y;
+  return q;
+}
+
 Outlook View::look(Point2& c, TriangleRef t) {
   encroached_.clear();
   if (!std::isfinite(c.x) || !std::isfinite(c.y)) return Outlook::kCoincides;

@@ -59,8 +59,11 @@ class View {
   const Subsegment& subsegment(SubsegmentId s) const { return live_.subsegment(s); }
   Point2 midpoint(SubsegmentId s) const {
     const Subsegment& u = live_.subsegment(s);
-    return circumball::midpoint(dt_.point(u.a), dt_.point(u.b));
+    return outward(circumball::midpoint(dt_.point(u.a), dt_.point(u.b)), s);
   }
+  /// p, a rounded point of s. Where s is an edge of the convex hull and rounding put p inside, the next point that is
+  /// not: else the edge would stay in the triangulation, under a flat triangle. At most one ulp a coordinate.
+  Point2 outward(const Point2& p, SubsegmentId s) const;
 
   /// Whether the open diametral disk of s holds a vertex (Algorithm 2.3), exactly; or s is not an edge of the
   /// triangulation, although the open disk is empty: vertices on its circle took the edge by a tie. If some vertex is
