@@ -114,8 +114,10 @@ TEST(WideInteger, HasTheSignOfTheExactValue) {
   for (int i = 0; i < 5000; ++i) {
     double x[6];
     for (double& v : x) v = random.below(5) == 0 ? 0 : random.any_magnitude(-140, 140);
-    if (random.below(3) == 0)
-      x[3] = x[0], x[4] = x[1], x[5] = random.below(2) ? x[2] : step(x[2], 1);
+    if (random.below(3) == 0) {  // equal, or as near as can be
+      for (int k = 0; k < 3; ++k) x[3 + k] = x[k];
+      if (x[5] != 0 && random.below(2) == 0) x[5] = step(x[5], 1);
+    }
     const auto wide = [](double v) { return WideInteger(internal::Decoded(v), kUnit); };
     const WideInteger value =
         wide(x[0]) * wide(x[1]) * wide(x[2]) - wide(x[3]) * wide(x[4]) * wide(x[5]);

@@ -10,7 +10,7 @@
 namespace circumball::testing {
 namespace {
 
-constexpr int kInputs = 10000;
+constexpr int kInputs = 4000;
 
 Sign operator-(Sign s) { return static_cast<Sign>(-static_cast<int>(s)); }
 
