@@ -112,7 +112,7 @@ export class Scene {
     return Math.round(Math.min(Math.max(spacing / 22, 0.4), 1) * 10) / 10;
   }
 
-  /** The same for vertices of the mesh: from 0 (specks would only be noise) to 1. */
+  /** The same for vertices of the mesh: 0 where they would only be noise, up to 1. */
   vertexSize(view: View, size: Size): number {
     const { model } = this;
     if (!model.bounds || model.vertexCount < 4) return 1;
@@ -130,7 +130,8 @@ export class Scene {
       }
     }
     const spacing = Math.sqrt((width * height) / Math.max(count, 1)) * view.scale;
-    return Math.min(Math.max((spacing - 3) / 24, 0.1), 1);
+    const size = Math.min((spacing - 4) / 24, 1);
+    return size < 0.15 ? 0 : size;
   }
 
   /** Below the mesh. */

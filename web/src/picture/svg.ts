@@ -1,6 +1,6 @@
 /** The scene as SVG: the same display lists, widths, shapes and dashes as on the canvas. A pure function. */
 
-import { Label, type Point, type View } from '../shared/types';
+import { Label, type Point, VertexKind, type View } from '../shared/types';
 import { clipPolygon, clipSegment } from './clip';
 import {
   type Dash,
@@ -38,10 +38,11 @@ export function sceneToSvg(scene: Scene, view: View, size: Size, width: number):
     const scale = scene.vertexSize(view, size);
     for (let v = 0; v < scene.model.vertexCount; ++v) {
       const at = scene.place(v);
-      if (!scene.model.vertexAlive[v]) continue;
+      const kind = scene.model.vertexKind[v]!;
+      if (!scene.model.vertexAlive[v] || kind === VertexKind.input || scale === 0) continue;
       if (at[0] < seen.minX || at[0] > seen.maxX || at[1] < seen.minY || at[1] > seen.maxY)
         continue;
-      const mark = vertexMark(scene.model.vertexKind[v]!, at, theme);
+      const mark = vertexMark(kind, at, theme);
       marks.push(
         paper.mark({ ...mark, size: mark.size * scale, width: (mark.width ?? 0) * scale }),
       );

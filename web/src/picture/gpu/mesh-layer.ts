@@ -10,7 +10,7 @@ import {
   UnsignedByteType,
   type Vector4,
 } from 'three';
-import { Label, type PictureTheme, type Point } from '../../shared/types';
+import { Label, type PictureTheme, type Point, VertexKind } from '../../shared/types';
 import { clipPolygon } from '../clip';
 import { mix, parseColor } from '../color';
 import type { Coloring } from '../coloring';
@@ -186,7 +186,9 @@ export class MeshLayer {
       vertexMark(this.model.vertexKind[v]!, this.place(v), look.theme),
       window,
     );
-    if (!this.model.vertexAlive[v]) batch.array[row * batch.stride + 2] = 0;
+    // Those of the input are drawn with the input, before they are in the mesh and however dense it is.
+    const shown = this.model.vertexAlive[v] && this.model.vertexKind[v] !== VertexKind.input;
+    if (!shown) batch.array[row * batch.stride + 2] = 0;
   }
 
   private writeTriangle(

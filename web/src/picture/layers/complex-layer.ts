@@ -1,7 +1,15 @@
 /** The input as it is edited: features in ink, seeds, what is selected, and defects at their places. */
 
-import type { Complex2, DefectMark, PictureTheme, Point, Selection } from '../../shared/types';
+import {
+  type Complex2,
+  type DefectMark,
+  type PictureTheme,
+  type Point,
+  type Selection,
+  VertexKind,
+} from '../../shared/types';
 import { type Items, noItems } from '../items';
+import { vertexMark } from '../marks';
 
 export interface ComplexLook {
   readonly theme: PictureTheme;
@@ -44,18 +52,24 @@ export function complexItems(
         items.lines.push({ a, b, color: theme.ink, width: 1 + (segmentWidth - 1) * detail });
       }
     }
-    for (let v = 0; v < complex.vertices.length; ++v) {
-      const p = complex.vertices[v];
-      if (!isPlace(p) || selection?.vertices.has(v)) continue;
-      items.marks.push({
-        at: p,
-        shape: 'disc',
-        size: 9 * detail,
-        fill: theme.background,
-        stroke: theme.ink,
-        width: 2.2 * detail,
-      });
+  }
+  for (let v = 0; v < complex.vertices.length; ++v) {
+    const p = complex.vertices[v];
+    if (!isPlace(p) || selection?.vertices.has(v)) continue;
+    // Rings are handles to take hold of, discs are vertices of a mesh.
+    if (meshed) {
+      const mark = vertexMark(VertexKind.input, p, theme);
+      items.marks.push({ ...mark, size: mark.size * detail, width: (mark.width ?? 0) * detail });
+      continue;
     }
+    items.marks.push({
+      at: p,
+      shape: 'disc',
+      size: 9 * detail,
+      fill: theme.background,
+      stroke: theme.ink,
+      width: 2.2 * detail,
+    });
   }
   if (selection) {
     for (const v of selection.vertices) {

@@ -112,11 +112,11 @@ export function momentOver(moment: Moment, source: MomentSource, theme: PictureT
     const b = source.vertex(moment.yieldTo[1]);
     if (a && b) {
       const to = midpoint(a, b);
-      items.lines.push({ a: moment.ghost, b: to, color: theme.yielding, width: 2.2 });
+      items.lines.push({ a: moment.ghost, b: to, color: theme.yielding, width: 2.4 });
       items.marks.push({
         at: to,
         shape: 'arrow',
-        size: 12,
+        size: 14,
         fill: theme.yielding,
         angle: Math.atan2(to[1] - moment.ghost[1], to[0] - moment.ghost[0]),
       });
