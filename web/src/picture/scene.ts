@@ -130,8 +130,8 @@ export class Scene {
       }
     }
     const spacing = Math.sqrt((width * height) / Math.max(count, 1)) * view.scale;
-    const size = Math.min((spacing - 4) / 24, 1);
-    return size < 0.15 ? 0 : size;
+    const part = Math.min((spacing - 4) / 24, 1);
+    return part < 0.15 ? 0 : part;
   }
 
   /** Below the mesh. */
