@@ -11,7 +11,7 @@ import random
 
 def shore(rng, center, radius, stretch, roughness, count):
     """A closed curve of `count` vertices around `center`, rounded to centimeters."""
-    harmonics = [(k, roughness * radius / k**1.4 * rng.uniform(0.4, 1), rng.uniform(0, 2 * math.pi)) for k in range(2, 7)]
+    harmonics = [(k, roughness * radius / k**1.1 * rng.uniform(0.4, 1), rng.uniform(0, 2 * math.pi)) for k in range(2, 7)]
 
     def at(angle):
         r = radius + sum(a * math.cos(k * angle + phase) for k, a, phase in harmonics)
@@ -30,10 +30,10 @@ def shore(rng, center, radius, stretch, roughness, count):
 
 
 def main():
-    rng = random.Random(20)
+    rng = random.Random(11)
     vertices, segments = [], []
     for loop in (
-        shore(rng, (50, 32), 28, 1.6, 0.30, 84),
+        shore(rng, (50, 32), 28, 1.6, 0.34, 96),
         shore(rng, (32, 36), 7, 1.2, 0.28, 26),
         shore(rng, (66, 28), 5, 1.5, 0.25, 24),
         shore(rng, (52, 44), 2, 1.1, 0.2, 14),

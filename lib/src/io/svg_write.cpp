@@ -94,7 +94,7 @@ std::string write_svg_complex(const Complex& complex) {
                     [&](std::size_t i) {
                       return std::pair{complex.segments[i][0], complex.segments[i][1]};
                     }),
-              " fill=\"#eaf4fb\" fill-rule=\"evenodd\"" + stroke("#16324f", f.width / 250)) +
+              " fill=\"none\"" + stroke("#16324f", f.width / 250)) +
          path(dots, " fill=\"none\"" + stroke("#16324f", f.width / 80)) + "</svg>\n";
 }
 
