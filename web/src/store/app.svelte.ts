@@ -40,8 +40,9 @@ export class App {
   picked = $state.raw<Hit | null>(null);
   picture = $state.raw<Picture | null>(null);
   sheetOpen = $state(false);
-  /** A view to restore once there is a picture of the right size. */
+  /** A view to restore, or the whole input to show, once the picture has it. */
   pendingView: View | null = null;
+  pendingFit = false;
 
   readonly algorithms = $derived<readonly AlgorithmInfo[]>(
     (this.hello?.algorithms ?? []).filter((a) => a.dimension === 2),
@@ -74,7 +75,8 @@ export class App {
     this.doc.title = title;
     if (options) this.parameters.adopt(options);
     this.picked = null;
-    this.picture?.fit();
+    this.pendingView = null;
+    this.pendingFit = true;
   }
 
   /** Refines the input as it is. Resolves when the run has ended. */
@@ -130,10 +132,7 @@ export class App {
   async restore(shared: Shared, title: string): Promise<void> {
     this.open(shared.complex, title, shared.options);
     if (shared.color) this.settings.color = shared.color;
-    if (shared.view) {
-      this.pendingView = shared.view;
-      this.picture?.setView(shared.view);
-    }
+    this.pendingView = shared.view;
     if (shared.moment !== null) await this.refine({ moment: shared.moment });
     else this.mode = 'draw';
   }
