@@ -8,6 +8,7 @@ import type {
   Complex2,
   DefectMark,
   Hit,
+  Insets,
   MeshChange,
   MeshState,
   Moment,
@@ -45,6 +46,9 @@ import {
 import { makeWindow, serves, type Window } from './window';
 
 const reach = { vertex: 10, segment: 7 };
+
+/** Where the page has its tools (left) and its zoom buttons (lower right), unless it says otherwise. */
+const toolInsets: Insets = { left: 56, top: 8, right: 8, bottom: 56 };
 
 /** What has to be drawn anew. */
 interface Stale {
@@ -88,6 +92,7 @@ export class CanvasPicture implements Picture {
   constructor(canvas: HTMLCanvasElement, options: PictureOptions) {
     this.canvas = canvas;
     this.scene = new Scene(options.theme);
+    this.scene.insets = toolInsets;
     this.renderer = new WebGLRenderer({
       canvas,
       antialias: options.antialias,
@@ -212,8 +217,13 @@ export class CanvasPicture implements Picture {
 
   fit(bounds?: Bounds): void {
     const target = bounds ?? this.contents();
-    if (target) this.setView(fitView(target, this.size));
+    if (target) this.setView(fitView(target, this.size, this.scene.insets));
     else this.setView({ x: 0.5, y: 0.5, scale: Math.min(this.size.width, this.size.height) * 0.8 });
+  }
+
+  setInsets(insets: Insets): void {
+    this.scene.insets = insets;
+    this.touch('top');
   }
 
   zoomBy(factor: number, at?: Point): void {

@@ -7,6 +7,7 @@ import type {
   Complex2,
   DefectMark,
   Hit,
+  Insets,
   MeshChange,
   MeshState,
   Moment,
@@ -26,7 +27,7 @@ import { momentOver, momentUnder, type StarShape, starShape } from './layers/mom
 import { sketchItems } from './layers/sketch-layer';
 import { measureTriangle } from './measures';
 import { MeshModel } from './mesh-model';
-import { type Size, toScreen, visibleBounds } from './view';
+import { noInsets, type Size, toScreen, visibleBounds } from './view';
 
 /** Circles of all triangles or subsegments are drawn while so few are in sight. */
 const mostCircles = 1500;
@@ -43,6 +44,7 @@ export class Scene {
   defects: readonly DefectMark[] = [];
   sketch: Sketch | null = null;
   picked: Hit | null = null;
+  insets: Insets = noInsets;
   theme: PictureTheme;
   overlays: Overlays = {
     mesh: true,
@@ -165,7 +167,7 @@ export class Scene {
     append(items, defectItems(this.complex, this.defects, this.theme));
     if (this.overlays.labels) this.addLabels(items, view, size);
     if (this.sketch) append(items, sketchItems(this.sketch, this.theme, 1 / view.scale));
-    append(items, scaleBarItems(view, size, this.theme));
+    append(items, scaleBarItems(view, size, this.theme, this.insets));
     return items;
   }
 
@@ -215,6 +217,7 @@ export class Scene {
         const b = this.place(model.subsegments[3 * s + 1]!);
         const center: Point = [a[0] + (b[0] - a[0]) / 2, a[1] + (b[1] - a[1]) / 2];
         const radius = Math.hypot(b[0] - a[0], b[1] - a[1]) / 2;
+        const ofBox = model.subsegments[3 * s + 2] === 0xffffffff;
         if (!overlaps(center, radius, seen)) continue;
         --left;
         items.disks.push({
@@ -222,9 +225,9 @@ export class Scene {
           radius,
           stroke: theme.steinerSegment,
           width: 1.1,
-          opacity: 0.8,
+          opacity: ofBox ? 0.3 : 0.8,
           fill: theme.steinerSegment,
-          fillOpacity: 0.07,
+          fillOpacity: ofBox ? 0 : 0.07,
         });
       }
     }

@@ -1,6 +1,6 @@
 /** The camera in the plane: pure functions of a `View` and the size of the canvas in CSS pixels. y points up. */
 
-import type { Bounds, Point, View } from '../shared/types';
+import type { Bounds, Insets, Point, View } from '../shared/types';
 
 export interface Size {
   readonly width: number;
@@ -8,8 +8,8 @@ export interface Size {
 }
 
 /** What is left around the contents by `fit`, as a part of the smaller side, and at least so many pixels. */
-const marginPart = 0.08;
-const marginPixels = 28;
+const marginPart = 0.04;
+const marginPixels = 24;
 
 export function toScreen(view: View, size: Size, p: Point): Point {
   return [
@@ -61,21 +61,26 @@ export function clampScale(scale: number, view: View, extent: number): number {
   return Math.min(Math.max(scale, min), Math.max(max, min));
 }
 
-/** The view that shows `bounds` with a margin. A single point is shown at scale 100 pixels a unit. */
-export function fitView(bounds: Bounds, size: Size): View {
+export const noInsets: Insets = { left: 0, top: 0, right: 0, bottom: 0 };
+
+/** The view that shows `bounds` with a margin, clear of the insets. A single point is shown at scale 100 pixels a unit. */
+export function fitView(bounds: Bounds, size: Size, insets: Insets = noInsets): View {
   const width = bounds.maxX - bounds.minX;
   const height = bounds.maxY - bounds.minY;
-  const margin = Math.max(marginPixels, marginPart * Math.min(size.width, size.height));
-  const roomX = Math.max(size.width - 2 * margin, size.width * 0.3, 1);
-  const roomY = Math.max(size.height - 2 * margin, size.height * 0.3, 1);
-  const scale = Math.min(
+  const freeX = Math.max(size.width - insets.left - insets.right, size.width * 0.4);
+  const freeY = Math.max(size.height - insets.top - insets.bottom, size.height * 0.4);
+  const margin = Math.max(marginPixels, marginPart * Math.min(freeX, freeY));
+  const roomX = Math.max(freeX - 2 * margin, freeX * 0.5, 1);
+  const roomY = Math.max(freeY - 2 * margin, freeY * 0.5, 1);
+  const fitting = Math.min(
     width > 0 ? roomX / width : Number.POSITIVE_INFINITY,
     height > 0 ? roomY / height : Number.POSITIVE_INFINITY,
   );
+  const scale = Number.isFinite(fitting) && fitting > 0 ? fitting : 100;
   return {
-    x: bounds.minX + width / 2,
-    y: bounds.minY + height / 2,
-    scale: Number.isFinite(scale) && scale > 0 ? scale : 100,
+    x: bounds.minX + width / 2 - (insets.left - insets.right) / 2 / scale,
+    y: bounds.minY + height / 2 + (insets.top - insets.bottom) / 2 / scale,
+    scale,
   };
 }
 

@@ -189,6 +189,14 @@ export interface Bounds {
   readonly maxY: number;
 }
 
+/** Room at the sides of the canvas that controls cover, in CSS pixels: `fit` and the scale bar keep out of it. */
+export interface Insets {
+  readonly left: number;
+  readonly top: number;
+  readonly right: number;
+  readonly bottom: number;
+}
+
 /** What lies under a place of the canvas, nearest first by kind: vertex, subsegment, triangle. Null: nothing. */
 export interface Hit {
   readonly vertex: number | null; // mesh vertex (document vertex while editing)
@@ -228,6 +236,7 @@ export interface Picture {
   setView(view: View): void;
   onViewChange(listener: (view: View) => void): () => void;
   fit(bounds?: Bounds): void;
+  setInsets(insets: Insets): void;
   zoomBy(factor: number, at?: Point): void; // `at` in CSS pixels of the canvas
   panBy(dx: number, dy: number): void; // CSS pixels
   toWorld(x: number, y: number): Point; // CSS pixels of the canvas -> world

@@ -1,8 +1,8 @@
 /** Grid and axes below everything, and the scale bar above everything: functions of the view alone. */
 
-import type { PictureTheme, Point, View } from '../../shared/types';
+import type { Insets, PictureTheme, Point, View } from '../../shared/types';
 import { type Items, noItems } from '../items';
-import { roundStep, type Size, toWorld, visibleBounds } from '../view';
+import { noInsets, roundStep, type Size, toWorld, visibleBounds } from '../view';
 
 /** Distance of grid lines that the eye can use at this scale: 1, 2 or 5 times a power of ten, 18 pixels or more. */
 export function gridStep(scale: number): number {
@@ -39,14 +39,19 @@ export function gridItems(view: View, size: Size, theme: PictureTheme): Items {
   return items;
 }
 
-/** A bar of a round length, at the lower right; `inset` in pixels from the corner. */
-export function scaleBarItems(view: View, size: Size, theme: PictureTheme): Items {
+/** A bar of a round length at the lower right, clear of the insets. */
+export function scaleBarItems(
+  view: View,
+  size: Size,
+  theme: PictureTheme,
+  insets: Insets = noInsets,
+): Items {
   const items = noItems();
   if (size.width < 260) return items;
   const length = roundStep(56 / view.scale);
   const pixels = length * view.scale;
-  const right = size.width - 20;
-  const y = size.height - 20;
+  const right = size.width - insets.right - 16;
+  const y = size.height - insets.bottom - 16;
   const at = (px: number, py: number): Point => toWorld(view, size, px, py);
   const line = (x0: number, y0: number, x1: number, y1: number) =>
     items.lines.push({ a: at(x0, y0), b: at(x1, y1), color: theme.ink, width: 1.4, opacity: 0.75 });
