@@ -1,6 +1,10 @@
 #include "progress.h"
 
+#ifdef __EMSCRIPTEN__
+#include <emscripten.h>
+#else
 #include <unistd.h>
+#endif
 
 #include <cstdio>
 
@@ -9,10 +13,21 @@
 namespace circumball::cli {
 
 namespace {
+
 constexpr const char* kEraseLine = "\r\x1b[K";
+
+bool stderr_is_terminal() {
+#ifdef __EMSCRIPTEN__
+  // Emscripten's own isatty says yes to whatever Node has for standard error.
+  return EM_ASM_INT({ return require('tty').isatty(2) ? 1 : 0; }) != 0;
+#else
+  return ::isatty(STDERR_FILENO) != 0;
+#endif
 }
 
-ProgressLine::ProgressLine(bool wanted) : shown_(wanted && ::isatty(STDERR_FILENO) != 0) {}
+}  // namespace
+
+ProgressLine::ProgressLine(bool wanted) : shown_(wanted && stderr_is_terminal()) {}
 
 ProgressLine::~ProgressLine() {
   if (drawn_) std::fputs(kEraseLine, stderr);
