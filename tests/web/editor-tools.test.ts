@@ -167,6 +167,14 @@ describe('polygon tool', () => {
     expect(editor.complex.segments).toHaveLength(7);
   });
 
+  it('shows where it crosses itself', () => {
+    click(0, 0);
+    click(1, 0);
+    click(1, 1);
+    editor.pointerMove(pointer(0.4, -1));
+    expect(editor.sketch?.crossings).toEqual([[expect.closeTo(0.7, 12), 0]]);
+  });
+
   it('two corners on one segment cut it in three', () => {
     start('polygon', square);
     click(0.2, 0);

@@ -1,11 +1,19 @@
 /** A closed polygon: corner after corner; the first corner, Enter or a double click closes it. One step of undo. */
 
 import type { Point } from '../../shared/types';
+import { findMeetings } from '../crossings';
 import { noIds } from '../document';
 import { addPolyline } from '../edits';
 import { reach, type Snapped } from '../snapping';
 import { crossingsOf, vertexAt } from './place';
 import { emptySketch, hint, type Tool, type ToolContext } from './tool';
+
+/** Where the polygon in the making crosses itself. */
+function ownCrossings(lines: readonly (readonly [Point, Point])[]): Point[] {
+  return findMeetings(lines).flatMap(({ meeting }) =>
+    meeting.kind === 'crossing' ? [meeting.at] : [],
+  );
+}
 
 export function createPolygonTool(context: ToolContext): Tool {
   let corners: Snapped[] = [];
@@ -96,7 +104,10 @@ export function createPolygonTool(context: ToolContext): Tool {
         lines,
         points: places,
         snap: hover ? hint(hover) : null,
-        crossings: lines.flatMap(([a, b]) => crossingsOf(context.document, a, b)),
+        crossings: [
+          ...lines.flatMap(([a, b]) => crossingsOf(context.document, a, b)),
+          ...ownCrossings(lines),
+        ],
       };
     },
   };
