@@ -55,8 +55,7 @@ std::uint32_t hilbert_key(std::uint32_t x, std::uint32_t y) {
 void sort_keyed(std::uint64_t* first, std::uint64_t* last, std::uint64_t* scratch) {
   const std::size_t n = static_cast<std::size_t>(last - first);
   if (n < 2048) return std::sort(first, last);  // smaller than the counters below
-  // Radix sort of the upper half, 11 bits a pass: stable, and the indices below come in order at
-  // every level but that of small runs, which sort ties themselves.
+  // Radix sort of the upper half, 11 bits a pass, the lowest first; each pass keeps ties in order.
   constexpr int kBits = 11, kPasses = 3;
   constexpr std::uint32_t kBuckets = 1u << kBits;
   std::vector<std::uint32_t> counts(kPasses * kBuckets, 0);

@@ -16,8 +16,8 @@ namespace circumball {
 /// Place of a cell of a 65536 x 65536 grid along the Hilbert curve.
 std::uint32_t hilbert_key(std::uint32_t x, std::uint32_t y);
 
-/// Sorts by value: numbers that carry a key in the upper half, ties by the lower. `scratch` has the
-/// same size.
+/// Sorts numbers by the upper half of their bits, a key; ties end in an order that depends on the
+/// input alone. `scratch` has the same size.
 void sort_keyed(std::uint64_t* first, std::uint64_t* last, std::uint64_t* scratch);
 
 /// Deals an order into rounds, each about four times as large as all before it, that keep the order
