@@ -1,34 +1,50 @@
-import { defineConfig } from '@playwright/test';
+import { defineConfig, devices } from '@playwright/test';
 
-const port = Number(process.env.PORT ?? 4173);
+// The page, used in a real browser as a student, a teacher and a researcher would use it. `npm test` builds the site
+// first; CHROMIUM names another browser.
+const port = Number(process.env.E2E_PORT ?? 4173);
+const launchOptions = {
+  executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
+  args: [
+    '--no-sandbox',
+    '--enable-unsafe-swiftshader',
+    '--disable-quic',
+    '--no-first-run',
+    '--disable-background-networking',
+    '--disable-component-update',
+    '--disable-sync',
+  ],
+};
 
-// The built site (npm run build), used in Debian's Chromium; CHROMIUM=/path/to/another.
 export default defineConfig({
   testDir: 'tests/e2e',
-  outputDir: 'test-results',
-  fullyParallel: false,
-  workers: 1,
+  testMatch: '*.spec.ts',
+  outputDir: 'build/e2e',
   timeout: 60_000,
+  expect: { timeout: 15_000 },
+  workers: process.env.CI ? 2 : 1,
   reporter: [['list']],
-  webServer: {
-    command: `node node_modules/vite/bin/vite.js preview --config web/vite.config.ts --port ${port} --strictPort`,
-    url: `http://localhost:${port}/`,
-    reuseExistingServer: true,
-  },
   use: {
     baseURL: `http://localhost:${port}/`,
-    viewport: { width: 1280, height: 800 },
-    launchOptions: {
-      executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
-      args: [
-        '--no-sandbox',
-        '--enable-unsafe-swiftshader',
-        '--disable-quic',
-        '--no-first-run',
-        '--disable-background-networking',
-        '--disable-component-update',
-        '--disable-sync',
-      ],
+    launchOptions,
+    trace: 'retain-on-failure',
+    serviceWorkers: 'block',
+  },
+  projects: [
+    {
+      name: 'desktop',
+      // Software rendering draws every pixel: a small window keeps the tests quick.
+      use: { viewport: { width: 1000, height: 640 } },
     },
+    {
+      name: 'phone',
+      testMatch: ['accessibility.spec.ts', 'phone.spec.ts'],
+      use: { ...devices['Pixel 5'], defaultBrowserType: 'chromium' },
+    },
+  ],
+  webServer: {
+    command: `node node_modules/vite/bin/vite.js preview --config web/vite.config.ts --port ${port} --strictPort`,
+    port,
+    reuseExistingServer: false,
   },
 });

@@ -211,7 +211,7 @@ const view: Action[] = [
     title: 'Fit to the picture',
     group: 'View',
     keys: ['0'],
-    perform: () => app.picture?.fit(),
+    perform: () => app.fit(),
   },
   {
     id: 'zoom-in',

@@ -107,8 +107,9 @@ export class Coloring {
       scratch,
     );
     if (this.mode === 'quality') return scratch.minAngle;
-    const length = this.mode === 'size' ? scratch.longest : scratch.circumradius;
-    return Math.log2(Math.min(Math.max(length, 1e-300), 1e300));
+    const size =
+      this.mode === 'size' ? (scratch.longest / 2) * scratch.height : scratch.circumradius; // area
+    return Math.log2(Math.min(Math.max(size, 1e-300), 1e300));
   }
 
   private findRange(): readonly [number, number] {

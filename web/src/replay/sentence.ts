@@ -7,7 +7,7 @@ import { Kind, NONE, Reason, type TraceEvent } from './event.ts';
  */
 export function sentenceOf(e: TraceEvent, steps: readonly string[]): string {
   const name = simplexName(e.simplex, e.segment);
-  const step = steps[e.step] ?? String(e.step);
+  const step = stepName(steps[e.step] ?? String(e.step));
   switch (e.kind) {
     case Kind.stepBegan:
       return `Step ${step} begins.`;
@@ -119,6 +119,11 @@ function limit(reason: number): string {
     default:
       return 'a limit is reached';
   }
+}
+
+/** Steps are numbered as in the thesis; ours between them have names. */
+function stepName(name: string): string {
+  return /^[0-9]/.test(name) ? name : `“${name}”`;
 }
 
 /** Why a simplex waits, in a few words, for the list of the queue. */

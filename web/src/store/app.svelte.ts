@@ -148,6 +148,13 @@ export class App {
     };
   }
 
+  /** The whole input, clear of the tools at the left and the legend below. */
+  fit(): void {
+    this.picture?.fit();
+    this.picture?.zoomBy(0.92);
+    this.picture?.panBy(18, this.settings.legendOpen ? -16 : 0);
+  }
+
   discardRun(): void {
     this.playback.unload();
     this.run.discard();

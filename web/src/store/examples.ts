@@ -34,32 +34,25 @@ export async function load(example: Example): Promise<{ name: string; bytes: Uin
   );
 }
 
+/** An entry of examples/index.json. */
 interface Entry {
-  id?: string;
-  file?: string;
-  files?: string[];
-  title?: string;
-  text?: string;
-  description?: string;
-  dimension?: number;
-  algorithm?: string;
-  options?: RunOptions;
+  readonly id: string;
+  readonly title: string;
+  readonly file: string;
+  readonly sentence: string;
+  readonly dimension?: number;
+  readonly algorithm?: string;
+  readonly options?: RunOptions;
 }
 
 function parse(index: unknown): Example[] {
-  const list = (
-    Array.isArray(index) ? index : ((index as { examples?: unknown })?.examples ?? [])
-  ) as Entry[];
-  return list
+  return ((index ?? []) as Entry[])
     .filter((e) => (e.dimension ?? 2) === 2)
-    .map((e) => {
-      const files = e.files ?? (e.file ? [e.file] : []);
-      return {
-        id: e.id ?? files[0] ?? '',
-        title: e.title ?? e.id ?? '',
-        text: e.text ?? e.description ?? '',
-        files,
-        options: { ...(e.algorithm ? { algorithm: e.algorithm } : {}), ...e.options },
-      };
-    });
+    .map((e) => ({
+      id: e.id,
+      title: e.title,
+      text: e.sentence,
+      files: [e.file],
+      options: { ...(e.algorithm ? { algorithm: e.algorithm } : {}), ...e.options },
+    }));
 }
