@@ -186,7 +186,9 @@ TEST(Mesh, MarkersAndAttributesReachTheMesh) {
     const Feature& f = mesh.vertex_features[i];
     if (f.kind == FeatureKind::kSegment) {
       EXPECT_EQ(mesh.vertex_markers[i], static_cast<int>(f.index) + 1);
-      if (f.index == 0) EXPECT_DOUBLE_EQ(mesh.vertex_attributes[i], mesh.vertices[i].x);
+      if (f.index == 0) {
+        EXPECT_DOUBLE_EQ(mesh.vertex_attributes[i], mesh.vertices[i].x);
+      }
     } else {
       EXPECT_EQ(mesh.vertex_markers[i], 0);
     }

@@ -68,7 +68,8 @@ TEST(Limits, SecondsStopARun) {
 TEST(Limits, MemoryStopsARun) {
   Options options = options_of("ruppert");
   options.limits.max_bytes = 2000000;
-  const auto run = finish(needle(), options);
+  options.size = "0.001";
+  const auto run = finish(unit_square(), options);
   EXPECT_EQ(run->status(), Status::kLimit);
   EXPECT_EQ(run->limit(), Reason::kLimitMemory);
   expect_valid(*run);

@@ -49,14 +49,16 @@ inline void add_square(Complex* c, double x, double y, double side) {
 
 /// A random complex on an uneven, skewed grid: some of its edges as segments, some vertices alone. Every two segments at
 /// a vertex are at the angle of the skew (60 < skew <= 90 degrees: cos skew = `lean`), its complement or straight.
-inline Complex random_grid(std::uint64_t seed, double lean) {
+/// Steps of the grid are between `smallest` and `smallest` + 1, some a twentieth of that if `graded`.
+inline Complex random_grid(std::uint64_t seed, double lean, double smallest = 0.02,
+                           bool graded = true) {
   Random random(seed);
   const std::uint32_t columns = 2 + random.below(6), rows = 2 + random.below(6);
   const auto steps = [&](std::uint32_t n) {
     std::vector<double> at{0};
     while (at.size() < n) {
-      const double step = 0.02 + random.unit();
-      at.push_back(at.back() + (random.below(4) == 0 ? 0.05 * step : step));
+      const double step = smallest + random.unit();
+      at.push_back(at.back() + (graded && random.below(4) == 0 ? 0.05 * step : step));
     }
     return at;
   };

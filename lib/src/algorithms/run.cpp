@@ -115,6 +115,7 @@ struct Run::Impl {
         recorder(live, sink),
         work{live, recorder, options.limits, cancelled},
         stages(plan(settings)) {
+    if (sink) live.track_labels();
     for (const auto& stage : stages) names.push_back(stage->name);
     steps.reserve(stages.size());
   }
@@ -151,7 +152,18 @@ struct Run::Impl {
 
   void end_step() { recorder.step_ended(work.inserted, work.refused); }
 
+  /// The domain is settled, and traced, whatever stopped the run.
+  void settle_domain() {
+    if (!live.classified()) live.classify();
+    const Delaunay2& dt = live.triangulation();
+    for (TriangleId t = 0; t < dt.slot_count(); ++t) {
+      if (dt.alive(t)) live.in_domain(t);
+    }
+    recorder.relabeled(live.take_relabeled());
+  }
+
   void finish(Reason why) {
+    settle_domain();
     if (why == Reason::kCancelled) {
       status = Status::kCancelled;
     } else {

@@ -31,7 +31,7 @@ class ClassifyTriangles final : public Stage {
 
   bool advance(Workspace& w, Budget&) override {
     w.live.classify();
-    w.recorder.classified();
+    w.recorder.relabeled(w.live.take_relabeled());
     return true;
   }
 };
@@ -42,46 +42,56 @@ class DivideSegments final : public Stage {
       : Stage("1", "Divide the input segments to between h and sqrt 3 h"), h_(h) {}
 
   bool advance(Workspace& w, Budget& budget) override {
-    for (; next_ < w.live.complex().segments.size(); ++next_) {
-      if (!w.live.subsegment(SubsegmentId(next_)).alive) continue;
-      if (!budget.spend() || !w.within_limits()) return false;
-      divide(w, SubsegmentId(next_));
+    const auto count = static_cast<std::uint32_t>(w.live.complex().segments.size());
+    for (; segment_ < count; ++segment_, part_ = 0) {
+      if (part_ == 0 && !begin_segment(w)) continue;
+      for (; part_ < parts_; ++part_) {
+        if (!budget.spend() || !w.within_limits()) return false;
+        ++w.iterations;
+        insert_point(w);
+      }
     }
     return true;
   }
 
  private:
-  void divide(Workspace& w, SubsegmentId s) {
-    Delaunay2& dt = w.live.triangulation();
-    const Subsegment whole = w.live.subsegment(s);
-    const Point2 a = dt.point(whole.a), b = dt.point(whole.b);
-    const double pieces = std::floor(distance(a, b) / h_);
-    if (!(pieces >= 2)) return;
-    const double most = w.limits.max_vertices ? static_cast<double>(w.limits.max_vertices) : 4e9;
-    const auto n = static_cast<std::uint32_t>(std::min(pieces, most));
+  bool begin_segment(const Workspace& w) {
+    rest_ = SubsegmentId(segment_);
+    const Subsegment& whole = w.live.subsegment(rest_);
+    if (!whole.alive) return false;
+    const Delaunay2& dt = w.live.triangulation();
+    a_ = dt.point(whole.a);
+    b_ = dt.point(whole.b);
+    const double parts = std::floor(distance(a_, b_) / h_);
+    if (!(parts >= 2)) return false;
+    parts_ = static_cast<std::uint32_t>(std::min(parts, 4e9));
+    part_ = 1;
+    return true;
+  }
+
+  void insert_point(Workspace& w) {
     View view(w.live, w.recorder.on());
-    for (std::uint32_t i = 1; i < n; ++i) {
-      if (!w.within_limits()) return;
-      const Point2 p = view.outward(division_point(a, b, i, n), s);
-      ++w.iterations;
-      if (view.look_at_midpoint(p, s) == Outlook::kCoincides) {
-        ++w.refused;
-        w.refusal_limit = Reason::kLimitPrecision;
-        w.recorder.refused(s, Reason::kPrecision, p);
-        continue;
-      }
-      const double radius = w.recorder.on() ? view.insertion_radius(p) : 0;
-      const Event event = w.recorder.insertion_of(s, Reason::kDivision);
-      const VertexId v = w.live.add_vertex(p, {FeatureKind::kSegment, whole.segment.value});
-      w.live.commit(v, s.value);
-      ++w.inserted;
-      w.recorder.inserted(event, v, radius);
-      s = w.live.split(s, v)[1];
+    const Point2 p = view.outward(division_point(a_, b_, part_, parts_), rest_);
+    if (view.look_at_midpoint(p, rest_) == Outlook::kCoincides) {
+      ++w.refused;
+      w.refusal_limit = Reason::kLimitPrecision;
+      w.recorder.refused(rest_, Reason::kPrecision, p);
+      return;
     }
+    const double radius = w.recorder.on() ? view.insertion_radius(p) : 0;
+    const Event event = w.recorder.insertion_of(rest_, Reason::kDivision);
+    const std::uint32_t segment = w.live.subsegment(rest_).segment.value;
+    const VertexId v = w.live.add_vertex(p, {FeatureKind::kSegment, segment});
+    w.live.commit(v, rest_.value);
+    ++w.inserted;
+    w.recorder.inserted(event, v, radius);
+    rest_ = w.live.split(rest_, v)[1];
   }
 
   double h_;
-  std::uint32_t next_ = 0;
+  std::uint32_t segment_ = 0, part_ = 0, parts_ = 0;  // what is inserted next
+  SubsegmentId rest_;                                 // of the segment, not divided yet
+  Point2 a_, b_;
 };
 
 }  // namespace

@@ -11,7 +11,6 @@ Live2::Live2(const Complex& complex, Domain domain) : complex_(&complex), domain
   for (std::uint32_t i = 0; i < complex.vertices.size(); ++i) {
     add_vertex(xy(complex.vertices[i]), {FeatureKind::kVertex, i});
   }
-  for (const Region& region : complex.regions) has_area_bounds_ |= region.max > 0;
 }
 
 VertexId Live2::add_vertex(const Point2& p, Feature feature) {
@@ -76,7 +75,7 @@ std::array<SubsegmentId, 2> Live2::split(SubsegmentId s, VertexId m) {
     const bool near = triangulation_.apex(h) == m;
     if (near || triangulation_.apex(other) == m) {
       const TriangleId flat = (near ? h : other) / 4, beyond = (near ? other : h) / 4;
-      triangulation_.set_label(flat, triangulation_.triangle(beyond).label);
+      relabel(flat, triangulation_.triangle(flat).label, triangulation_.triangle(beyond).label);
     }
   }
   return {left, right};
@@ -188,6 +187,10 @@ void Live2::flood_levels(const std::vector<std::uint8_t>& crossed) {
 void Live2::classify() {
   Delaunay2& dt = triangulation_;
   const std::uint32_t slots = dt.slot_count();
+  std::vector<std::uint32_t> before;
+  for (TriangleId t = 0; tracking_ && t < slots; ++t) {
+    before.push_back(dt.alive(t) ? dt.triangle(t).label : kUnknown);
+  }
   std::vector<std::uint8_t> crossed(slots, 0);
   if (domain_ == Domain::kClosed) {
     for (std::uint32_t i = 0; i < subsegment_count(); ++i) {
@@ -234,14 +237,26 @@ void Live2::classify() {
     dt.set_label(t, label);
   }
   classified_ = true;
+  for (TriangleId t = 0; t < before.size(); ++t) {
+    if (!dt.alive(t) || dt.is_ghost(t) || dt.triangle(t).label == before[t]) continue;
+    relabeled_.push_back({t, before[t] == kVisited ? std::uint32_t{kUnknown} : before[t]});
+  }
 }
 
-bool Live2::in_domain(TriangleId t, std::vector<TriangleId>* relabeled) {
+void Live2::relabel(TriangleId t, std::uint32_t before, std::uint32_t label) {
+  triangulation_.set_label(t, label);
+  if (tracking_) relabeled_.push_back({t, before});
+}
+
+bool Live2::in_domain(TriangleId t) {
   Delaunay2& dt = triangulation_;
   if (dt.is_ghost(t)) return false;
   if (!classified_) return true;
   if (dt.triangle(t).label != kUnknown) return dt.triangle(t).label != kOutside;
-  if (domain_ != Domain::kClosed && complex_->regions.empty()) return true;
+  if (domain_ != Domain::kClosed && complex_->regions.empty()) {
+    relabel(t, kUnknown, kInside);
+    return true;
+  }
   // Flood the triangles that lost their label until one is met that has it: they are one piece of the domain.
   std::uint32_t label = kUnknown;
   std::vector<TriangleId> piece{t};
@@ -268,9 +283,8 @@ bool Live2::in_domain(TriangleId t, std::vector<TriangleId>* relabeled) {
     classify();
     label = dt.triangle(t).label;
   } else {
-    for (const TriangleId u : piece) dt.set_label(u, label);
+    for (const TriangleId u : piece) relabel(u, kUnknown, label);
   }
-  if (relabeled) *relabeled = piece;
   return label != kOutside;
 }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "circumball/mesh.h"
@@ -73,9 +74,8 @@ class Live2 {
   /// missing subsegment crosses are not flooded through; they belong to the domain if a neighbor does.
   void classify();
   bool classified() const { return classified_; }
-  /// Whether t is in the domain. Finds a lost label again by a local flood; appends the triangles that got one to
-  /// `relabeled`, if given.
-  bool in_domain(TriangleId t, std::vector<TriangleId>* relabeled = nullptr);
+  /// Whether t is in the domain. Finds a lost label again by a local flood.
+  bool in_domain(TriangleId t);
   /// As it stands, without repair: kUnknown counts as inside.
   bool maybe_in_domain(TriangleId t) const {
     return !triangulation_.is_ghost(t) && triangulation_.triangle(t).label != kOutside;
@@ -85,11 +85,19 @@ class Live2 {
     const std::uint32_t label = triangulation_.triangle(t).label;
     return label >= kFirstRegion ? complex_->regions[label - kFirstRegion].max : 0;
   }
-  bool has_area_bounds() const { return has_area_bounds_; }
+  /// A trace wants to know of labels that change while their triangle lives.
+  struct Relabeled {
+    TriangleId triangle;
+    std::uint32_t before;
+  };
+  void track_labels() { tracking_ = true; }
+  /// Those since the last call.
+  std::vector<Relabeled> take_relabeled() { return std::exchange(relabeled_, {}); }
 
   std::size_t bytes() const;
 
  private:
+  void relabel(TriangleId t, std::uint32_t before, std::uint32_t label);
   void flood_levels(const std::vector<std::uint8_t>& crossed);
   void mark_crossed(SubsegmentId s, std::vector<std::uint8_t>* crossed) const;
 
@@ -99,7 +107,8 @@ class Live2 {
   std::vector<Feature> features_;
   std::vector<Subsegment> subsegments_;
   bool classified_ = false;
-  bool has_area_bounds_ = false;
+  bool tracking_ = false;
+  std::vector<Relabeled> relabeled_;
   std::vector<TriangleId> stack_;  // scratch of the local flood
 };
 

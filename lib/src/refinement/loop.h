@@ -120,7 +120,7 @@ class Loop final : public Stage {
 
   void process(Workspace& w, TriangleRef t) {
     if (!view_->alive(t)) return;
-    if (!in_domain(w, t.id) || !rules_.unacceptable(*view_, t)) {
+    if (!w.live.in_domain(t.id) || !rules_.unacceptable(*view_, t)) {
       return w.recorder.dropped(t, Reason::kAcceptable);
     }
     if (const Verdict unsafe = rules_.safe(*view_, t)) return refuse(w, t, unsafe.reason, Point2());
@@ -187,6 +187,7 @@ class Loop final : public Stage {
     for (const HalfEdge h : dt.cavity_tagged_inside()) {
       if (dt.tag(h) != tag_of(s)) swallowed_.push_back(SubsegmentId(dt.tag(h)));
     }
+    if (w.recorder.on()) w.recorder.relabeled(w.live.take_relabeled());
     const VertexId v = w.live.add_vertex(p.at, feature_of(w, s));
     w.live.commit(v, tag_of(s));
     ++w.inserted;
@@ -233,16 +234,6 @@ class Loop final : public Stage {
   void queue(Workspace& w, SubsegmentId s, const Verdict& why) {
     w.recorder.queued(s, why);
     subsegments_.push({s, TriangleRef()});
-  }
-
-  bool in_domain(Workspace& w, TriangleId t) {
-    if (!w.recorder.on() || w.live.triangulation().triangle(t).label != kUnknown) {
-      return w.live.in_domain(t);
-    }
-    std::vector<TriangleId> relabeled;
-    const bool inside = w.live.in_domain(t, &relabeled);
-    w.recorder.relabeled(relabeled, kUnknown);
-    return inside;
   }
 
   static std::uint32_t tag_of(SubsegmentId s) { return s.value; }

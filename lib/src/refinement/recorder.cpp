@@ -34,25 +34,15 @@ void Recorder::inserted(Event e, VertexId v, double insertion_radius) {
   sink_->event(e, stream_.data(), stream_.size());
 }
 
-void Recorder::relabeled(const std::vector<TriangleId>& triangles, std::uint32_t old_label) {
+void Recorder::relabeled(const std::vector<Live2::Relabeled>& triangles) {
   if (!sink_ || triangles.empty()) return;
   const Delaunay2& dt = live_.triangulation();
   Event e = blank(EventKind::kRelabeled);
   stream_.clear();
-  for (const TriangleId t : triangles) append(dt.triangle(t), old_label);
-  for (const TriangleId t : triangles) append(dt.triangle(t), dt.triangle(t).label);
+  for (const auto& [t, before] : triangles) append(dt.triangle(t), before);
+  for (const auto& [t, before] : triangles) append(dt.triangle(t), dt.triangle(t).label);
   e.other[0] = e.other[1] = static_cast<std::uint32_t>(stream_.size() / 8);
   sink_->event(e, stream_.data(), stream_.size());
-}
-
-void Recorder::classified() {
-  if (!sink_) return;
-  const Delaunay2& dt = live_.triangulation();
-  std::vector<TriangleId> triangles;
-  for (TriangleId t = 0; t < dt.slot_count(); ++t) {
-    if (dt.alive(t) && !dt.is_ghost(t)) triangles.push_back(t);
-  }
-  relabeled(triangles, kUnknown);
 }
 
 }  // namespace circumball

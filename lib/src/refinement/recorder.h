@@ -75,9 +75,8 @@ class Recorder {
     e.reason = why;
     return e;
   }
-  /// Triangles that got another label; all had `old_label` before.
-  void relabeled(const std::vector<TriangleId>& triangles, std::uint32_t old_label);
-  void classified();
+  /// Triangles that got another label while they live.
+  void relabeled(const std::vector<Live2::Relabeled>& triangles);
   void limit(Reason why) {
     if (!sink_) return;
     Event e = blank(EventKind::kLimit);
