@@ -13,15 +13,19 @@ namespace {
 
 using testing::Random;
 
-/// Random unit edges of a lattice as a complex (seen through a linear map), beside the same thing as a maze of unit cells.
+/// Random unit edges of a lattice as a complex (seen through a linear map), beside the same thing
+/// as a maze of unit cells.
 struct Maze {
   std::uint32_t side;
-  std::vector<bool> wall_right, wall_up;  // between lattice cells, with a margin of one free cell all around
+  std::vector<bool> wall_right,
+      wall_up;  // between lattice cells, with a margin of one free cell all around
   Complex complex;
   std::vector<std::uint32_t> level, face;  // of each lattice cell, by flood fill
   std::uint32_t faces = 0;
 
-  Point2 map(double x, double y) const { return {1e6 + 2 * x + y, 3 * y - 5e5 - x}; }  // area times 7, exact
+  Point2 map(double x, double y) const {
+    return {1e6 + 2 * x + y, 3 * y - 5e5 - x};
+  }  // area times 7, exact
   std::uint32_t at(std::uint32_t x, std::uint32_t y) const { return y * side + x; }
 
   Maze(std::uint64_t seed, double density) {
@@ -125,7 +129,8 @@ TEST(PlanarArrangement, FacesAreasAndLevelsAreThoseOfAFloodFill) {
       ASSERT_EQ(arrangement.level(f), maze.level[c]) << "seed " << seed << ", cell " << c;
       area[f] += 7;
     }
-    for (std::uint32_t f = 1; f < maze.faces; ++f) ASSERT_EQ(arrangement.area(f), area[f]) << "seed " << seed;
+    for (std::uint32_t f = 1; f < maze.faces; ++f)
+      ASSERT_EQ(arrangement.area(f), area[f]) << "seed " << seed;
   }
 }
 
@@ -144,7 +149,8 @@ TEST(PlanarArrangement, HoleSeedsTakeOutTheirFaceAndParityEverySecondLevel) {
       if (maze.level[c] % 2 == 1) expected[1] += 7;
     }
     for (int rule = 0; rule < 2; ++rule) {
-      maze.complex.hole_rule = rule == 0 ? HoleRule::kAuto : HoleRule::kParity;  // a hole is listed: kSeeds
+      maze.complex.hole_rule =
+          rule == 0 ? HoleRule::kAuto : HoleRule::kParity;  // a hole is listed: kSeeds
       const std::vector<bool> inside = arrangement.inside(maze.complex, view);
       double area = 0;
       for (std::uint32_t f = 1; f < inside.size(); ++f)

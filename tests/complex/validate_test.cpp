@@ -28,13 +28,16 @@ struct Random {  // splitmix64
   double unit() { return static_cast<double>(next() >> 11) * 0x1p-53; }
 };
 
-Complex make(const std::vector<Point2>& points, const std::vector<std::array<std::uint32_t, 2>>& segments) {
+Complex make(const std::vector<Point2>& points,
+             const std::vector<std::array<std::uint32_t, 2>>& segments) {
   Complex c;
   for (const Point2& p : points) c.vertices.push_back(xyz(p));
   c.segments = segments;
   return c;
 }
-Complex square() { return make({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}}); }
+Complex square() {
+  return make({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}});
+}
 
 std::vector<Defect> named(const std::vector<Defect>& all, const std::string& name) {
   std::vector<Defect> some;
@@ -55,10 +58,12 @@ using Pair = std::array<std::uint32_t, 2>;
 std::set<std::pair<std::string, Pair>> meetings(const std::vector<Defect>& all) {
   std::set<std::pair<std::string, Pair>> set;
   for (const Defect& d : all) {
-    if (d.name != "segments-cross" && d.name != "segments-overlap" && d.name != "vertex-on-segment") continue;
+    if (d.name != "segments-cross" && d.name != "segments-overlap" && d.name != "vertex-on-segment")
+      continue;
     EXPECT_EQ(d.features.size(), 2u) << d.message;
     if (d.features.size() == 2) {
-      EXPECT_TRUE(set.insert({d.name, {d.features[0].index, d.features[1].index}}).second) << d.message;
+      EXPECT_TRUE(set.insert({d.name, {d.features[0].index, d.features[1].index}}).second)
+          << d.message;
     }
   }
   return set;
@@ -82,7 +87,8 @@ std::set<std::pair<std::string, Pair>> meetings_by_brute_force(const Complex& c)
       const int oa = static_cast<int>(orient2d(p, q, a)), ob = static_cast<int>(orient2d(p, q, b));
       if (op * oq < 0 && oa * ob < 0) set.insert({"segments-cross", {i, j}});
       if (op == 0 && oq == 0) {
-        const bool share = between(a, b, p) || between(a, b, q) || between(p, q, a) || between(p, q, b);
+        const bool share =
+            between(a, b, p) || between(a, b, q) || between(p, q, a) || between(p, q, b);
         if (share) set.insert({"segments-overlap", {i, j}});
       }
     }
@@ -95,10 +101,22 @@ TEST(Check, FindsNothingInASquare) { EXPECT_TRUE(check(square()).empty()); }
 TEST(Check, AcceptsWhateverIsALegalComplex) {
   EXPECT_TRUE(check(make({{3, 4}}, {})).empty());
   EXPECT_TRUE(check(make({{0, 0}, {1, 1}, {2, 2}, {7, 7}}, {{0, 1}, {1, 2}})).empty());
-  EXPECT_TRUE(check(make({{0, 0}, {0, 1}, {0, 2}, {0, -1}}, {{0, 1}, {3, 0}})).empty()) << "vertical";
+  EXPECT_TRUE(check(make({{0, 0}, {0, 1}, {0, 2}, {0, -1}}, {{0, 1}, {3, 0}})).empty())
+      << "vertical";
   // adjacent squares, a dangling segment inside, an isolated vertex, an island
-  Complex c = make({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {1, 1}, {0, 1}, {.5, .5}, {1.5, .2}, {1.2, .4}, {1.8, .4}, {1.5, .8}},
-                   {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 5}, {5, 0}, {1, 4}, {0, 6}, {8, 9}, {9, 10}, {10, 8}});
+  Complex c = make(
+      {{0, 0},
+       {1, 0},
+       {2, 0},
+       {2, 1},
+       {1, 1},
+       {0, 1},
+       {.5, .5},
+       {1.5, .2},
+       {1.2, .4},
+       {1.8, .4},
+       {1.5, .8}},
+      {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 5}, {5, 0}, {1, 4}, {0, 6}, {8, 9}, {9, 10}, {10, 8}});
   EXPECT_TRUE(check(c).empty()) << list(check(c));
 }
 
@@ -123,8 +141,20 @@ TEST(Check, AVertexOnASegmentIsExact) {
 }
 
 TEST(Check, TellsAllDefectsAtOnce) {
-  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
-  Complex c = make({{0, 0}, {4, 2}, {0, 2}, {4, 0}, {nan, 1}, {inf, 0}, {1e60, 0}, {1e-50, 0}, {4, 2}, {2, 0}, {1, 0}, {3, 0}},
+  const double nan = std::numeric_limits<double>::quiet_NaN(),
+               inf = std::numeric_limits<double>::infinity();
+  Complex c = make({{0, 0},
+                    {4, 2},
+                    {0, 2},
+                    {4, 0},
+                    {nan, 1},
+                    {inf, 0},
+                    {1e60, 0},
+                    {1e-50, 0},
+                    {4, 2},
+                    {2, 0},
+                    {1, 0},
+                    {3, 0}},
                    {{0, 1}, {2, 3}, {0, 99}, {4, 1}, {3, 3}, {1, 8}, {1, 0}, {0, 3}, {10, 11}});
   const auto d = check(c);
   EXPECT_EQ(named(d, "not-finite").size(), 2u);
@@ -136,7 +166,8 @@ TEST(Check, TellsAllDefectsAtOnce) {
   EXPECT_TRUE(named(d, "duplicate-segments")[0].warning);
   EXPECT_EQ(named(d, "segments-cross").size(), 1u);
   EXPECT_EQ(named(d, "segments-overlap").size(), 1u);
-  EXPECT_EQ(named(d, "vertex-on-segment").size(), 4u) << list(d);  // 9, 10, 11 on segment 7; 9 on segment 8
+  EXPECT_EQ(named(d, "vertex-on-segment").size(), 4u)
+      << list(d);  // 9, 10, 11 on segment 7; 9 on segment 8
 }
 
 TEST(Check, NegativeZeroIsZero) {
@@ -188,7 +219,8 @@ TEST(Check, ASeedInANotchIsOutside) {
   EXPECT_TRUE(check(c).empty());
 }
 
-// The sweep against all pairs, where points, collinear runs and several crossings at one place abound.
+// The sweep against all pairs, where points, collinear runs and several crossings at one place
+// abound.
 TEST(Check, AgreesWithBruteForceOnSmallLattices) {
   Random random{7};
   for (int round = 0; round < 4000; ++round) {
@@ -205,7 +237,8 @@ TEST(Check, AgreesWithBruteForceOnSmallLattices) {
     const std::uint32_t m = random.below(12), k = static_cast<std::uint32_t>(points.size());
     for (std::uint32_t i = 0; i < m && k > 1; ++i) {
       const std::uint32_t a = random.below(k), b = random.below(k);
-      if (a != b && seen.insert({std::min(a, b), std::max(a, b)}).second) segments.push_back({a, b});
+      if (a != b && seen.insert({std::min(a, b), std::max(a, b)}).second)
+        segments.push_back({a, b});
     }
     const Complex c = make(points, segments);
     ASSERT_EQ(meetings(check(c)), meetings_by_brute_force(c)) << "round " << round;
@@ -233,7 +266,8 @@ TEST(Check, AgreesWithBruteForceOnRandomSegments) {
 }
 
 TEST(Check, ManyLongSegmentsAreNoTrouble) {
-  Complex c;  // 50,000 long parallel diagonals, whose boxes all overlap, and one short segment across two of them
+  Complex c;  // 50,000 long parallel diagonals, whose boxes all overlap, and one short segment
+              // across two of them
   const std::uint32_t n = 50000;
   for (std::uint32_t i = 0; i < n; ++i) {
     c.vertices.push_back({i * 1e-5, 0, 0});
@@ -279,7 +313,8 @@ TEST(Check, EveryLineCrossingEveryOtherIsCounted) {
   }
   const auto d = named(check(c, 100), "segments-cross");
   ASSERT_EQ(d.size(), 101u);
-  EXPECT_NE(d.back().message.find(std::to_string(n * n - 100) + " more"), std::string::npos) << d.back().message;
+  EXPECT_NE(d.back().message.find(std::to_string(n * n - 100) + " more"), std::string::npos)
+      << d.back().message;
 }
 
 TEST(SmallestAngle, IsThatBetweenNeighboringSegments) {
@@ -287,8 +322,12 @@ TEST(SmallestAngle, IsThatBetweenNeighboringSegments) {
   EXPECT_EQ(smallest_angle_degrees(make({{0, 0}, {1, 0}}, {{0, 1}})), 180);
   EXPECT_EQ(smallest_angle_degrees(make({{0, 0}, {1, 0}, {2, 0}}, {{0, 1}, {1, 2}})), 180);
   EXPECT_DOUBLE_EQ(smallest_angle_degrees(make({{0, 0}, {1, 0}, {1, 1}}, {{0, 1}, {0, 2}})), 45);
-  EXPECT_DOUBLE_EQ(smallest_angle_degrees(make({{0, 0}, {1, 0}, {-1, -1}, {-1, 1}}, {{0, 1}, {0, 2}, {0, 3}})), 90);
-  EXPECT_NEAR(smallest_angle_degrees(make({{0, 0}, {2, 0}, {1, std::sqrt(3.0)}}, {{0, 1}, {1, 2}, {2, 0}})), 60, 1e-12);
+  EXPECT_DOUBLE_EQ(
+      smallest_angle_degrees(make({{0, 0}, {1, 0}, {-1, -1}, {-1, 1}}, {{0, 1}, {0, 2}, {0, 3}})),
+      90);
+  EXPECT_NEAR(
+      smallest_angle_degrees(make({{0, 0}, {2, 0}, {1, std::sqrt(3.0)}}, {{0, 1}, {1, 2}, {2, 0}})),
+      60, 1e-12);
   EXPECT_DOUBLE_EQ(smallest_angle_degrees(make({{0, 0}, {1, 0}, {1, 1e-9}}, {{0, 1}, {0, 2}})),
                    std::atan(1e-9) * 180 / 3.14159265358979323846);
 }
@@ -297,8 +336,10 @@ TEST(SmallestAngle, AgreesWithTheArcTangentOfTheLibrary) {
   Random random{5};
   for (int i = 0; i < 20000; ++i) {
     const double scale = std::ldexp(1.0, static_cast<int>(random.below(100)) - 50);
-    const Point2 u{random.unit() - 0.5, random.unit() - 0.5}, v{random.unit() - 0.5, random.unit() - 0.5};
-    const double expected = std::fabs(std::atan2(u.x * v.y - u.y * v.x, u.x * v.x + u.y * v.y)) * 57.295779513082321;
+    const Point2 u{random.unit() - 0.5, random.unit() - 0.5},
+        v{random.unit() - 0.5, random.unit() - 0.5};
+    const double expected =
+        std::fabs(std::atan2(u.x * v.y - u.y * v.x, u.x * v.x + u.y * v.y)) * 57.295779513082321;
     const Complex c = make({{0, 0}, {scale * u.x, scale * u.y}, {v.x, v.y}}, {{0, 1}, {0, 2}});
     ASSERT_NEAR(smallest_angle_degrees(c), expected, 1e-12 * (1 + expected)) << i;
   }

@@ -27,8 +27,9 @@ Point2 somewhere(Random* random) {
 
 TEST(Definition2_1_6, LocalFeatureSizeOfASquare) {
   const FeatureSizes sizes(unit_square());
-  EXPECT_EQ(sizes.local({0, 0}), 1);       // the vertex and a side that does not touch it
-  EXPECT_EQ(sizes.local({0.5, 0}), 0.5);   // its side and a vertical one share a vertex; the two vertical ones do not
+  EXPECT_EQ(sizes.local({0, 0}), 1);  // the vertex and a side that does not touch it
+  EXPECT_EQ(sizes.local({0.5, 0}),
+            0.5);  // its side and a vertical one share a vertex; the two vertical ones do not
   EXPECT_EQ(sizes.local({0.5, 0.5}), 0.5);
   EXPECT_EQ(sizes.local({0.5, 0.25}), 0.5);
   EXPECT_EQ(sizes.local({0.5, 0}, 0), 0.5);
@@ -66,7 +67,9 @@ TEST(FeatureSizes, TheTreeAgreesWithTheDefinition) {
     const FeatureSizes sizes(complex);
     Random random(seed);
     for (int k = 0; k < 30; ++k) {
-      const Point2 x = k % 3 ? somewhere(&random) : xy(complex.vertices[random.below(static_cast<std::uint32_t>(complex.vertices.size()))]);
+      const Point2 x = k % 3 ? somewhere(&random)
+                             : xy(complex.vertices[random.below(
+                                   static_cast<std::uint32_t>(complex.vertices.size()))]);
       for (int i = 0; i < 2; ++i) {
         ASSERT_EQ(sizes.local(x, i), sizes.local_by_brute_force(x, i)) << seed << " " << k;
         ASSERT_EQ(sizes.mesh(x, i), sizes.mesh_by_brute_force(x, i)) << seed << " " << k;

@@ -37,9 +37,9 @@ struct Box2 {
   }
 };
 
-/// A static tree of bounding boxes: items are split at the median of their centers along the longer side, so that
-/// its depth is logarithmic whatever the input, clusters and equal boxes included. Linear memory.
-/// Queries filter only: what decides is the caller's exact test at the items.
+/// A static tree of bounding boxes: items are split at the median of their centers along the longer
+/// side, so that its depth is logarithmic whatever the input, clusters and equal boxes included.
+/// Linear memory. Queries filter only: what decides is the caller's exact test at the items.
 class BoxTree {
  public:
   BoxTree() = default;
@@ -49,8 +49,9 @@ class BoxTree {
   std::size_t size() const { return boxes_.size(); }
   const Box2& box(std::uint32_t item) const { return boxes_[item]; }
 
-  /// Calls visit(item) for the items of all leaves that can be reached through boxes for which enter(box) is true,
-  /// until it returns false. Items of such leaves whose own box is not entered are left out.
+  /// Calls visit(item) for the items of all leaves that can be reached through boxes for which
+  /// enter(box) is true, until it returns false. Items of such leaves whose own box is not entered
+  /// are left out.
   template <class Enter, class Visit>
   void query(Enter enter, Visit visit) const {
     if (nodes_.empty()) return;
@@ -73,8 +74,9 @@ class BoxTree {
     }
   }
 
-  /// Calls visit(item, squared distance) in the order of distance(item) (squared), until it returns false; equal
-  /// distances in the order of items. `distance` must not be less than the distance of the item's box.
+  /// Calls visit(item, squared distance) in the order of distance(item) (squared), until it returns
+  /// false; equal distances in the order of items. `distance` must not be less than the distance of
+  /// the item's box.
   template <class Distance, class Visit>
   void nearest(const Point2& p, Distance distance, Visit visit) const {
     if (nodes_.empty()) return;
@@ -105,7 +107,8 @@ class BoxTree {
   static constexpr int kMaxDepth = 80;  // two a level of a halving tree over at most 2^32 items
   struct Node {
     Box2 box;
-    std::uint32_t link;   // leaf: first of its items in items_; else: second child (the first follows the node)
+    std::uint32_t link;   // leaf: first of its items in items_; else: second child (the first
+                          // follows the node)
     std::uint32_t count;  // leaf: number of items; else 0
   };
   struct Candidate {
@@ -113,7 +116,8 @@ class BoxTree {
     bool is_item;
     std::uint32_t index;
   };
-  struct Later {  // nodes before items at equal distance, so that ties come out in the order of items
+  struct Later {  // nodes before items at equal distance, so that ties come out in the order of
+                  // items
     bool operator()(const Candidate& a, const Candidate& b) const {
       if (a.distance2 != b.distance2) return a.distance2 > b.distance2;
       if (a.is_item != b.is_item) return a.is_item;

@@ -63,8 +63,9 @@ void PlanarArrangement::trace_loops(const PlanarView& view) {
 }
 
 void PlanarArrangement::nest_components(const PlanarView& view, const SweepResult& swept) {
-  // The outermost loop of a connected component passes its lexicographically least point, where it has the
-  // direction to the left in its wedge: it leaves along the last half-edge, and lies in the face above `below`.
+  // The outermost loop of a connected component passes its lexicographically least point, where it
+  // has the direction to the left in its wedge: it leaves along the last half-edge, and lies in the
+  // face above `below`.
   std::vector<std::uint8_t> reached(view.points.size(), 0);
   struct Outer {
     std::uint32_t loop, point;

@@ -8,10 +8,10 @@
 
 namespace circumball {
 
-/// The segments at each point of a view, counter-clockwise, in exact angular order. A half-edge 2 s goes from the lower to the
-/// higher end of segment s, 2 s + 1 back.
+/// The segments at each point of a view, counter-clockwise, in exact angular order. A half-edge 2 s
+/// goes from the lower to the higher end of segment s, 2 s + 1 back.
 struct PlanarStars {
-  std::vector<std::uint32_t> first;      ///< points + 1: where the star of a point begins in `outgoing`
+  std::vector<std::uint32_t> first;  ///< points + 1: where the star of a point begins in `outgoing`
   std::vector<std::uint32_t> outgoing;  ///< half-edges, from just after straight down
   explicit PlanarStars(const PlanarView& view);
 };
@@ -33,7 +33,8 @@ class PlanarArrangement {
   /// The face that a point lies in; kNoIndex for a point on a segment (its ends included).
   std::uint32_t face_of_point(std::uint32_t point) const;
 
-  /// Which faces belong to a `closed` domain. kAuto is settled by `complex`; hole seeds are the first seeds of the view.
+  /// Which faces belong to a `closed` domain. kAuto is settled by `complex`; hole seeds are the
+  /// first seeds of the view.
   std::vector<bool> inside(const Complex& complex, const PlanarView& view) const;
 
  private:
@@ -43,9 +44,9 @@ class PlanarArrangement {
 
   PlanarStars stars_;
   std::vector<std::uint32_t> below_, through_;
-  std::vector<std::uint32_t> loop_;          // of each half-edge
+  std::vector<std::uint32_t> loop_;  // of each half-edge
   std::vector<std::uint32_t> face_of_loop_;
-  std::vector<double> loop_area_;            // signed
+  std::vector<double> loop_area_;  // signed
   std::vector<std::uint32_t> level_;
   std::vector<double> area_;
 };

@@ -96,7 +96,8 @@ class Sweep {
 
  private:
   struct AtPoint {};  // stands for the present point in searches
-  /// Below-to-above order of active segments at the present point. A segment that is being inserted has the point on it.
+  /// Below-to-above order of active segments at the present point. A segment that is being inserted
+  /// has the point on it.
   struct Order {
     using is_transparent = void;
     const Sweep* sweep;

@@ -3,9 +3,10 @@
 
 namespace circumball {
 
-/// A sum of products of doubles in twice the precision: products are exact (Dekker, A floating-point technique for
-/// extending the available precision, 1971), the sum is kept as two doubles. Its error is below n 2^-100 times the largest
-/// term, so that signed areas from raw coordinates are right however far from the origin they lie.
+/// A sum of products of doubles in twice the precision: products are exact (Dekker, A
+/// floating-point technique for extending the available precision, 1971), the sum is kept as two
+/// doubles. Its error is below n 2^-100 times the largest term, so that signed areas from raw
+/// coordinates are right however far from the origin they lie.
 class ProductSum {
  public:
   void add(double a, double b) {
@@ -17,7 +18,8 @@ class ProductSum {
     add_term(p);
     add_term(error);
   }
-  /// Adds the cross product of two position vectors: twice the signed area of the triangle with the origin.
+  /// Adds the cross product of two position vectors: twice the signed area of the triangle with the
+  /// origin.
   void add_cross(double ax, double ay, double bx, double by) {
     add(ax, by);
     add(-ay, bx);

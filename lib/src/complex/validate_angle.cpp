@@ -5,8 +5,9 @@
 namespace circumball {
 namespace {
 
-/// Arc tangent of x in [0, 1] in radians, from + * / sqrt only: the angle decides which algorithm is the default, which must
-/// be the same on every platform. Three half-angle steps bring x below 0.1, where eight terms of the series leave 1e-18.
+/// Arc tangent of x in [0, 1] in radians, from + * / sqrt only: the angle decides which algorithm
+/// is the default, which must be the same on every platform. Three half-angle steps bring x below
+/// 0.1, where eight terms of the series leave 1e-18.
 double arc_tangent(double x) {
   for (int i = 0; i < 3; ++i) x = x / (1 + std::sqrt(1 + x * x));
   const double y = x * x;
@@ -15,8 +16,9 @@ double arc_tangent(double x) {
   return 8 * x * sum;
 }
 
-/// Angle between two directions in degrees, 0 to 180: twice the arc tangent of |u/|u| - v/|v|| / |u/|u| + v/|v|| (Kahan),
-/// which is accurate for small and for straight angles. A few units in the last place.
+/// Angle between two directions in degrees, 0 to 180: twice the arc tangent of |u/|u| - v/|v|| /
+/// |u/|u| + v/|v|| (Kahan), which is accurate for small and for straight angles. A few units in the
+/// last place.
 double angle_degrees(const Point2& u, const Point2& v) {
   const double lu = std::sqrt(u.x * u.x + u.y * u.y), lv = std::sqrt(v.x * v.x + v.y * v.y);
   const double ax = u.x * lv, ay = u.y * lv, bx = v.x * lu, by = v.y * lu;
@@ -45,7 +47,8 @@ double smallest_angle_degrees(const Complex& complex) {
     if (last - first < 2) continue;
     for (std::uint32_t k = first; k < last; ++k) {  // the smallest is between neighbors of the star
       const std::uint32_t j = k + 1 < last ? k + 1 : first;
-      const double a = angle_degrees(direction(p, stars.outgoing[k]), direction(p, stars.outgoing[j]));
+      const double a =
+          angle_degrees(direction(p, stars.outgoing[k]), direction(p, stars.outgoing[j]));
       if (a < smallest) smallest = a;
     }
   }

@@ -8,8 +8,9 @@
 namespace circumball {
 namespace {
 
-/// Items looked at before the search is ended and the count becomes a lower bound. Reached only by inputs with
-/// hundreds of millions of crossings or with tens of thousands of suspects that all span the whole input.
+/// Items looked at before the search is ended and the count becomes a lower bound. Reached only by
+/// inputs with hundreds of millions of crossings or with tens of thousands of suspects that all
+/// span the whole input.
 constexpr std::uint64_t kMaxWork = 400'000'000;
 
 enum class Meeting { kNone, kCross, kOverlap };
@@ -21,7 +22,8 @@ Meeting meeting(const PlanarView& view, const Segment& s, const Segment& t) {
   const Point2 &a = view.points[s.lo], &b = view.points[s.hi];
   const Point2 &c = view.points[t.lo], &d = view.points[t.hi];
   const int oc = static_cast<int>(orient2d(a, b, c)), od = static_cast<int>(orient2d(a, b, d));
-  if (oc == 0 && od == 0)  // points are numbered lexicographically: intervals of numbers are intervals of the line
+  if (oc == 0 && od == 0)  // points are numbered lexicographically: intervals of numbers are
+                           // intervals of the line
     return std::max(s.lo, t.lo) < std::min(s.hi, t.hi) ? Meeting::kOverlap : Meeting::kNone;
   if (oc * od >= 0) return Meeting::kNone;
   const int oa = static_cast<int>(orient2d(c, d, a)), ob = static_cast<int>(orient2d(c, d, b));
@@ -44,7 +46,8 @@ Point3 crossing_point(const PlanarView& view, const Segment& s, const Segment& t
 /// False only if the box is surely on one side of the line through a and b.
 bool may_meet_line(const Box2& box, const Point2& a, const Point2& b) {
   const double ux = b.x - a.x, uy = b.y - a.y;
-  const double cx = 0.5 * box.lo_x + 0.5 * box.hi_x - a.x, cy = 0.5 * box.lo_y + 0.5 * box.hi_y - a.y;
+  const double cx = 0.5 * box.lo_x + 0.5 * box.hi_x - a.x,
+               cy = 0.5 * box.lo_y + 0.5 * box.hi_y - a.y;
   const double hx = 0.5 * box.hi_x - 0.5 * box.lo_x, hy = 0.5 * box.hi_y - 0.5 * box.lo_y;
   const double side = std::fabs(ux * cy - uy * cx);
   const double reach = std::fabs(ux) * hy + std::fabs(uy) * hx;
@@ -100,8 +103,9 @@ void check_crossings(const PlanarView& view, const SweepResult& swept, std::size
       }
       const Point3 at = xyz(view.points[p]);
       on.add({{FeatureKind::kVertex, v}, {FeatureKind::kSegment, s.segment}}, {at},
-             "vertex " + std::to_string(v) + " at " + point_text(at) + " lies in the interior of segment " +
-                 std::to_string(s.segment) + ": split the segment there, or move the vertex");
+             "vertex " + std::to_string(v) + " at " + point_text(at) +
+                 " lies in the interior of segment " + std::to_string(s.segment) +
+                 ": split the segment there, or move the vertex");
       return true;
     });
     segment_tree.query(enter, [&](std::uint32_t j) {
@@ -115,14 +119,16 @@ void check_crossings(const PlanarView& view, const SweepResult& swept, std::size
         return true;
       }
       const std::uint32_t f = std::min(s.segment, t.segment), g = std::max(s.segment, t.segment);
-      const std::vector<Feature> features = {{FeatureKind::kSegment, f}, {FeatureKind::kSegment, g}};
+      const std::vector<Feature> features = {{FeatureKind::kSegment, f},
+                                             {FeatureKind::kSegment, g}};
       if (m == Meeting::kCross) {
         const Point3 at = crossing_point(view, f == s.segment ? s : t, f == s.segment ? t : s);
         cross.add(features, {at},
                   pair_text(f, g) + " cross near " + point_text(at) +
                       ": add a vertex there and split both, or move one");
       } else {
-        const Point3 p = xyz(view.points[std::max(s.lo, t.lo)]), q = xyz(view.points[std::min(s.hi, t.hi)]);
+        const Point3 p = xyz(view.points[std::max(s.lo, t.lo)]),
+                     q = xyz(view.points[std::min(s.hi, t.hi)]);
         overlap.add(features, {p, q},
                     pair_text(f, g) + " overlap from " + point_text(p) + " to " + point_text(q) +
                         ": keep that piece in one of them only");

@@ -23,11 +23,11 @@ void DefectList::add(std::vector<Feature> features, std::vector<Point3> at, std:
 void DefectList::append_to(std::vector<Defect>* all, bool sorted) {
   if (sorted) {
     std::stable_sort(defects_.begin(), defects_.end(), [](const Defect& a, const Defect& b) {
-      return std::lexicographical_compare(
-          a.features.begin(), a.features.end(), b.features.begin(), b.features.end(),
-          [](const Feature& f, const Feature& g) {
-            return f.kind != g.kind ? f.kind < g.kind : f.index < g.index;
-          });
+      return std::lexicographical_compare(a.features.begin(), a.features.end(), b.features.begin(),
+                                          b.features.end(), [](const Feature& f, const Feature& g) {
+                                            return f.kind != g.kind ? f.kind < g.kind
+                                                                    : f.index < g.index;
+                                          });
     });
   }
   const bool more = rest_ > 0 || (incomplete_ && !defects_.empty());

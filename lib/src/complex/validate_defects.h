@@ -16,7 +16,8 @@ class DefectList {
   DefectList(std::string name, bool warning, std::size_t max)
       : name_(std::move(name)), warning_(warning), max_(max) {}
 
-  /// True if the next defect would still be listed: spares the work of wording one that is only counted.
+  /// True if the next defect would still be listed: spares the work of wording one that is only
+  /// counted.
   bool has_room() const { return defects_.size() < max_; }
   void add(std::vector<Feature> features, std::vector<Point3> at, std::string message);
   void count_only() { ++rest_; }
@@ -51,7 +52,8 @@ void check_crossings(const PlanarView& view, const SweepResult& swept, std::size
                      std::vector<Defect>* defects);
 /// "not-finite" and "magnitude" of hole and region seeds.
 void check_seed_coordinates(const Complex& complex, std::size_t max, std::vector<Defect>* defects);
-/// "hole-outside", "region-outside". Seeds of the view are the holes, then the regions. Needs a sweep without suspects.
+/// "hole-outside", "region-outside". Seeds of the view are the holes, then the regions. Needs a
+/// sweep without suspects.
 void check_seed_places(const Complex& complex, const PlanarView& view, const SweepResult& swept,
                        std::size_t max, std::vector<Defect>* defects);
 

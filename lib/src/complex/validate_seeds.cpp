@@ -10,11 +10,14 @@ void check_seed_coordinates(const Complex& complex, std::size_t max, std::vector
   const auto look = [&](const Point3& p, const std::string& name) {
     const bool space = complex.dimension == 3;
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || (space && !std::isfinite(p.z)))
-      not_finite.add({}, {p}, name + " is at " + point_text(p, complex.dimension) + ": give it finite numbers");
+      not_finite.add(
+          {}, {p},
+          name + " is at " + point_text(p, complex.dimension) + ": give it finite numbers");
     else if (!usable(p.x) || !usable(p.y) || (space && !usable(p.z)))
-      magnitude.add({}, {p},
-                    name + " is at " + point_text(p, complex.dimension) +
-                        ": scale the input so that every coordinate is 0 or of magnitude 1e-45 to 1e55");
+      magnitude.add(
+          {}, {p},
+          name + " is at " + point_text(p, complex.dimension) +
+              ": scale the input so that every coordinate is 0 or of magnitude 1e-45 to 1e55");
   };
   for (std::size_t i = 0; i < complex.holes.size(); ++i)
     look(complex.holes[i], "hole seed " + std::to_string(i));
@@ -40,15 +43,16 @@ void check_seed_places(const Complex& complex, const PlanarView& view, const Swe
     const std::uint32_t point = view.point_of_seed[i];
     if (point == kNoIndex) continue;
     const bool is_hole = i < holes;
-    const std::string name = is_hole ? "hole seed " + std::to_string(i) : "region seed " + std::to_string(i - holes);
+    const std::string name =
+        is_hole ? "hole seed " + std::to_string(i) : "region seed " + std::to_string(i - holes);
     const Point3 at = xyz(view.points[point]);
     DefectList& list = is_hole ? hole : region;
     const std::string effect = is_hole ? "it removes nothing" : "it labels nothing";
     const std::uint32_t face = arrangement.face_of_point(point);
     if (face == PlanarArrangement::kUnbounded) {
       list.add({}, {at},
-               name + " at " + point_text(at) + " lies outside everything that segments enclose: " + effect +
-                   "; move it inside a closed boundary");
+               name + " at " + point_text(at) + " lies outside everything that segments enclose: " +
+                   effect + "; move it inside a closed boundary");
     } else if (face == kNoIndex) {
       const std::uint32_t through = swept.through[point];
       std::vector<Feature> on;

@@ -9,7 +9,8 @@
 namespace circumball {
 namespace {
 
-/// Vertices closer than this, relative to the diameter of the input, draw a warning (architecture.md, "Numbers").
+/// Vertices closer than this, relative to the diameter of the input, draw a warning
+/// (architecture.md, "Numbers").
 constexpr double kNearDuplicate = 1e-9;
 
 bool finite(const Point3& p, int dimension) {
@@ -37,7 +38,8 @@ std::vector<std::uint32_t> sorted_vertices(const Complex& complex) {
   return order;
 }
 
-/// Warns of each pair in which one is the other's nearest: a cluster of n vertices draws at most n warnings.
+/// Warns of each pair in which one is the other's nearest: a cluster of n vertices draws at most n
+/// warnings.
 void check_near_duplicates(const Complex& complex, const std::vector<std::uint32_t>& distinct,
                            std::size_t max, std::vector<Defect>* defects) {
   if (complex.dimension != 2 || distinct.size() < 2) return;
@@ -62,7 +64,8 @@ void check_near_duplicates(const Complex& complex, const std::vector<std::uint32
           return false;
         });
     if (best != kNoIndex)
-      pairs.push_back({std::min(distinct[i], distinct[best]), std::max(distinct[i], distinct[best])});
+      pairs.push_back(
+          {std::min(distinct[i], distinct[best]), std::max(distinct[i], distinct[best])});
   }
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
@@ -75,9 +78,10 @@ void check_near_duplicates(const Complex& complex, const std::vector<std::uint32
     const Point3 &p = complex.vertices[pair[0]], &q = complex.vertices[pair[1]];
     const double distance = std::sqrt((q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y));
     near.add({{FeatureKind::kVertex, pair[0]}, {FeatureKind::kVertex, pair[1]}}, {p, q},
-             "vertices " + std::to_string(pair[0]) + " and " + std::to_string(pair[1]) + " are only " +
-                 number_text(distance) +
-                 " apart: the mesh there is graded down to that length; merge them if they are meant to be one");
+             "vertices " + std::to_string(pair[0]) + " and " + std::to_string(pair[1]) +
+                 " are only " + number_text(distance) +
+                 " apart: the mesh there is graded down to that length; merge them if they are "
+                 "meant to be one");
   }
   near.append_to(defects);
 }
@@ -99,9 +103,10 @@ void check_vertices(const Complex& complex, std::size_t max, std::vector<Defect>
                      vertex_text(i) + " has coordinates " + point_text(p, dimension) +
                          ": give it finite numbers");
     else if (!in_range(p, dimension))
-      magnitude.add({{FeatureKind::kVertex, i}}, {p},
-                    vertex_text(i) + " has coordinates " + point_text(p, dimension) +
-                        ": scale the input so that every coordinate is 0 or of magnitude 1e-45 to 1e55");
+      magnitude.add(
+          {{FeatureKind::kVertex, i}}, {p},
+          vertex_text(i) + " has coordinates " + point_text(p, dimension) +
+              ": scale the input so that every coordinate is 0 or of magnitude 1e-45 to 1e55");
   }
   not_finite.append_to(defects);
   magnitude.append_to(defects);

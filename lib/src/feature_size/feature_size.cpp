@@ -86,7 +86,8 @@ double FeatureSizes::local_by_brute_force(const Point2& x, int i) const {
     const double f2 = distance2(x, items[f]);
     if (!(f2 < best2)) continue;
     for (std::size_t g = 0; g < items.size(); ++g)
-      if (disjoint(items[f], items[g])) best2 = std::min(best2, std::max(f2, distance2(x, items[g])));
+      if (disjoint(items[f], items[g]))
+        best2 = std::min(best2, std::max(f2, distance2(x, items[g])));
   }
   return std::sqrt(best2);
 }

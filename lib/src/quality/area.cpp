@@ -89,7 +89,8 @@ Parts find_parts(const VerifyContext& context) {
   return parts;
 }
 
-/// For each part the face of the arrangement that its largest cell's centroid lies in (kNoIndex: on a segment).
+/// For each part the face of the arrangement that its largest cell's centroid lies in (kNoIndex: on
+/// a segment).
 std::vector<std::uint32_t> locate_parts(const VerifyContext& context, const Parts& parts) {
   std::vector<Point2> centroids;
   for (const std::uint32_t c : parts.representative) {
@@ -102,7 +103,8 @@ std::vector<std::uint32_t> locate_parts(const VerifyContext& context, const Part
     }
     centroids.push_back({p.x + x / 3, p.y + y / 3});
   }
-  // The same segments in the same order, and so the same half-edges, swept once more with the centroids.
+  // The same segments in the same order, and so the same half-edges, swept once more with the
+  // centroids.
   const PlanarView view(context.complex, centroids);
   const SweepResult swept = sweep(view);
   std::vector<std::uint32_t> face(centroids.size(), kNoIndex);
@@ -110,7 +112,8 @@ std::vector<std::uint32_t> locate_parts(const VerifyContext& context, const Part
     const std::uint32_t p = view.point_of_seed[i];
     if (p == kNoIndex || swept.through[p] != kNoIndex || view.vertex[p] != kNoIndex) continue;
     const std::uint32_t below = swept.below[p];
-    face[i] = below == kNoIndex ? PlanarArrangement::kUnbounded : context.arrangement->left_face(2 * below);
+    face[i] = below == kNoIndex ? PlanarArrangement::kUnbounded
+                                : context.arrangement->left_face(2 * below);
   }
   return face;
 }
@@ -141,23 +144,29 @@ Check closed_area(const VerifyContext& context, Check check) {
   for (std::size_t i = 0; i < parts.area.size(); ++i) {
     if (face[i] != kNoIndex && context.inside[face[i]]) continue;
     check.worst = cell_of(i);
-    check.detail = "cells outside the domain, of area " + value_text(parts.area[i]) + " around cell " +
-                   vertices_text(check.worst);
+    check.detail = "cells outside the domain, of area " + value_text(parts.area[i]) +
+                   " around cell " + vertices_text(check.worst);
     return check;
   }
   for (std::uint32_t f = 0; f < faces.face_count(); ++f) {
-    if (!context.inside[f] || std::fabs(covered[f] - faces.area(f)) <= kAreaTolerance * faces.area(f)) continue;
+    if (!context.inside[f] ||
+        std::fabs(covered[f] - faces.area(f)) <= kAreaTolerance * faces.area(f))
+      continue;
     for (std::size_t i = 0; i < parts.area.size() && check.worst.empty(); ++i)
       if (face[i] == f) check.worst = cell_of(i);
-    check.detail = "a part of the domain has area " + value_text(faces.area(f)) + ", the cells in it add up to " +
-                   value_text(covered[f]);
+    check.detail = "a part of the domain has area " + value_text(faces.area(f)) +
+                   ", the cells in it add up to " + value_text(covered[f]);
     if (!check.worst.empty()) check.detail += " (around cell " + vertices_text(check.worst) + ")";
     return check;
   }
   check.ok = std::fabs(observed - expected) <= kAreaTolerance * expected;
-  check.detail = "the domain has " + count_text(inside, "part") + " of area " + value_text(expected) +
-                 " in all, by signed areas of loops of input segments; the cells add up to it in each part, within 1e-9";
-  if (!check.ok) check.detail = "the domain has area " + value_text(expected) + ", the cells add up to " + value_text(observed);
+  check.detail = "the domain has " + count_text(inside, "part") + " of area " +
+                 value_text(expected) +
+                 " in all, by signed areas of loops of input segments; the cells add up to it in "
+                 "each part, within 1e-9";
+  if (!check.ok)
+    check.detail = "the domain has area " + value_text(expected) + ", the cells add up to " +
+                   value_text(observed);
   return check;
 }
 
@@ -168,7 +177,8 @@ Check check_area(const VerifyContext& context) {
   check.name = "area";
   if (context.closed()) {
     if (context.arrangement) return closed_area(context, check);
-    check.detail = "input segments cross, overlap or have vertices in their interiors: they bound no domain";
+    check.detail =
+        "input segments cross, overlap or have vertices in their interiors: they bound no domain";
     return check;
   }
   const double expected = hull_area(context.view.points);
@@ -178,8 +188,9 @@ Check check_area(const VerifyContext& context) {
   check.bound = expected;
   check.observed = observed;
   check.ok = std::fabs(observed - expected) <= kAreaTolerance * expected;
-  check.detail = std::string("the convex hull of the complex has area ") + value_text(expected) + ", the cells add up to " +
-                 value_text(observed) + (check.ok ? ", equal within 1e-9" : "");
+  check.detail = std::string("the convex hull of the complex has area ") + value_text(expected) +
+                 ", the cells add up to " + value_text(observed) +
+                 (check.ok ? ", equal within 1e-9" : "");
   return check;
 }
 

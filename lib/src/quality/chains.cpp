@@ -6,7 +6,8 @@
 namespace circumball {
 namespace {
 
-/// Where a point lies with respect to a segment: how far along (0 at the first end, 1 at the second), how far off.
+/// Where a point lies with respect to a segment: how far along (0 at the first end, 1 at the
+/// second), how far off.
 struct Place {
   double along, off;
 };
@@ -37,12 +38,14 @@ Chain ChainFinder::find(std::uint32_t segment) const {
   const std::uint32_t a = s[0] < n ? context_.mesh_vertex[s[0]] : kNoIndex;
   const std::uint32_t b = s[1] < n ? context_.mesh_vertex[s[1]] : kNoIndex;
   if (a == kNoIndex || b == kNoIndex || a == b) {
-    chain.problem = a != kNoIndex && a == b ? "its ends are one vertex" : "an end of it is not in the mesh";
+    chain.problem =
+        a != kNoIndex && a == b ? "its ends are one vertex" : "an end of it is not in the mesh";
     if (a != kNoIndex) chain.at.push_back(a);
     if (b != kNoIndex && b != a) chain.at.push_back(b);
     return chain;
   }
-  return label_first_[segment] < label_first_[segment + 1] ? find_labeled(segment, a, b) : walk(segment, a, b);
+  return label_first_[segment] < label_first_[segment + 1] ? find_labeled(segment, a, b)
+                                                           : walk(segment, a, b);
 }
 
 Chain ChainFinder::find_labeled(std::uint32_t segment, std::uint32_t a, std::uint32_t b) const {

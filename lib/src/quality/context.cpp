@@ -67,7 +67,8 @@ void VerifyContext::pair_edges() {
   const auto high = [&](std::uint32_t h) { return std::max(origin(h), target(h)); };
   std::vector<std::array<std::uint32_t, 2>> edges;
   for (std::uint32_t v = 0; v < n; ++v) {
-    const auto first = edge_half.begin() + edge_first[v], last = edge_half.begin() + edge_first[v + 1];
+    const auto first = edge_half.begin() + edge_first[v],
+               last = edge_half.begin() + edge_first[v + 1];
     std::sort(first, last, [&](std::uint32_t g, std::uint32_t h) {
       return high(g) != high(h) ? high(g) < high(h) : g < h;
     });
@@ -100,7 +101,8 @@ void VerifyContext::pair_edges() {
 std::uint32_t VerifyContext::find_edge(std::uint32_t a, std::uint32_t b) const {
   const std::uint32_t low = std::min(a, b), top = std::max(a, b);
   if (top >= mesh.vertices.size()) return kNoIndex;
-  const auto first = edge_half.begin() + edge_first[low], last = edge_half.begin() + edge_first[low + 1];
+  const auto first = edge_half.begin() + edge_first[low],
+             last = edge_half.begin() + edge_first[low + 1];
   const auto it = std::lower_bound(first, last, top, [&](std::uint32_t h, std::uint32_t value) {
     return std::max(origin(h), target(h)) < value;
   });
@@ -110,15 +112,20 @@ std::uint32_t VerifyContext::find_edge(std::uint32_t a, std::uint32_t b) const {
 void VerifyContext::match_vertices() {
   const std::size_t n = complex.vertices.size();
   mesh_vertex.assign(n, kNoIndex);
-  by_number = mesh.input_vertices > 0 && n <= mesh.vertices.size() &&
-              (n == mesh.input_vertices || n == std::size_t{mesh.input_vertices} + mesh.box_vertices);
+  by_number =
+      mesh.input_vertices > 0 && n <= mesh.vertices.size() &&
+      (n == mesh.input_vertices || n == std::size_t{mesh.input_vertices} + mesh.box_vertices);
   if (by_number) {
-    for (std::uint32_t i = 0; i < n; ++i) mesh_vertex[i] = i;
+    for (std::uint32_t i = 0; i < n; ++i) {
+      if (xy(mesh.vertices[i]) == xy(complex.vertices[i])) mesh_vertex[i] = i;
+    }
   } else {
     std::vector<std::uint32_t> order;
     for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v)
       if (usable(mesh.vertices[v].x) && usable(mesh.vertices[v].y)) order.push_back(v);
-    const auto less = [](const Point3& p, const Point3& q) { return p.x != q.x ? p.x < q.x : p.y < q.y; };
+    const auto less = [](const Point3& p, const Point3& q) {
+      return p.x != q.x ? p.x < q.x : p.y < q.y;
+    };
     std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
       const Point3 &p = mesh.vertices[a], &q = mesh.vertices[b];
       if (less(p, q) || less(q, p)) return less(p, q);
@@ -127,9 +134,9 @@ void VerifyContext::match_vertices() {
     for (std::uint32_t i = 0; i < n; ++i) {
       const Point3& p = complex.vertices[i];
       if (!usable(p.x) || !usable(p.y)) continue;
-      const auto it = std::lower_bound(order.begin(), order.end(), p, [&](std::uint32_t v, const Point3& q) {
-        return less(mesh.vertices[v], q);
-      });
+      const auto it = std::lower_bound(
+          order.begin(), order.end(), p,
+          [&](std::uint32_t v, const Point3& q) { return less(mesh.vertices[v], q); });
       if (it != order.end() && !less(p, mesh.vertices[*it])) mesh_vertex[i] = *it;
     }
   }
@@ -147,14 +154,16 @@ void VerifyContext::arrange() {
   swept = sweep(view);
   vertex_wanted.assign(complex.vertices.size(), 1);
   segment_wanted.assign(complex.segments.size(), 1);
-  if (std::any_of(swept.suspect.begin(), swept.suspect.end(), [](auto s) { return s != 0; })) return;
+  if (std::any_of(swept.suspect.begin(), swept.suspect.end(), [](auto s) { return s != 0; }))
+    return;
   arrangement = std::make_unique<PlanarArrangement>(view, swept);
   inside = arrangement->inside(complex, view);
   if (!closed()) return;
   segment_wanted.assign(complex.segments.size(), 0);
   std::vector<std::uint8_t> point_wanted(view.points.size(), 0);
   for (std::uint32_t s = 0; s < view.segments.size(); ++s) {
-    if (!inside[arrangement->left_face(2 * s)] && !inside[arrangement->left_face(2 * s + 1)]) continue;
+    if (!inside[arrangement->left_face(2 * s)] && !inside[arrangement->left_face(2 * s + 1)])
+      continue;
     const auto& segment = view.segments[s];
     segment_wanted[segment.segment] = 1;
     point_wanted[segment.lo] = point_wanted[segment.hi] = 1;

@@ -13,13 +13,14 @@
 
 namespace circumball {
 
-/// A vertex counts as on a segment within this, relative to the diameter, where no label says so (architecture.md, "Numbers").
+/// A vertex counts as on a segment within this, relative to the diameter, where no label says so
+/// (architecture.md, "Numbers").
 constexpr double kOnSegment = 1e-9;
 /// Areas agree within this, relative (circumball/verify.h).
 constexpr double kAreaTolerance = 1e-9;
 
-/// What several checks need to know of the mesh and the complex, worked out once. Nothing in it trusts the mesh: cells that
-/// cannot be used are left out, and counted.
+/// What several checks need to know of the mesh and the complex, worked out once. Nothing in it
+/// trusts the mesh: cells that cannot be used are left out, and counted.
 class VerifyContext {
  public:
   VerifyContext(const Mesh& mesh, const Complex& complex, const VerifyOptions& options);
@@ -31,7 +32,8 @@ class VerifyContext {
   using Cell = std::array<std::uint32_t, 3>;
   Point2 point(std::uint32_t v) const { return xy(mesh.vertices[v]); }
 
-  /// Cells with indices in range, three different vertices and coordinates that the predicates can take.
+  /// Cells with indices in range, three different vertices and coordinates that the predicates can
+  /// take.
   std::vector<Cell> cells;
   std::vector<std::uint32_t> cell_number;  ///< their numbers in the mesh
   std::vector<std::uint8_t> positive;      ///< 1 where the cell is exactly counter-clockwise
@@ -41,19 +43,22 @@ class VerifyContext {
   std::uint32_t origin(std::uint32_t h) const { return cells[h / 3][(h % 3 + 1) % 3]; }
   std::uint32_t target(std::uint32_t h) const { return cells[h / 3][(h % 3 + 2) % 3]; }
   std::uint32_t apex(std::uint32_t h) const { return cells[h / 3][h % 3]; }
-  /// The same edge in the only other cell that has it, the other way round; kNoIndex on the boundary and at bad edges.
+  /// The same edge in the only other cell that has it, the other way round; kNoIndex on the
+  /// boundary and at bad edges.
   std::vector<std::uint32_t> twin;
   /// Edges with more than two cells, or with two that run along it the same way.
   std::vector<std::array<std::uint32_t, 2>> bad_edges;
   std::size_t edge_count = 0;
-  /// Half-edges sorted by their lower, then their higher vertex; `edge_first` has vertices + 1 entries.
+  /// Half-edges sorted by their lower, then their higher vertex; `edge_first` has vertices + 1
+  /// entries.
   std::vector<std::uint32_t> edge_first, edge_half;
   /// The half-edges (at most one of each pair of twins) between two vertices, or kNoIndex.
   std::uint32_t find_edge(std::uint32_t a, std::uint32_t b) const;
   /// Neighbors of a vertex along edges of cells, sorted.
   std::vector<std::uint32_t> neighbor_first, neighbor;
 
-  /// For each vertex of the complex its mesh vertex, or kNoIndex: by number where the mesh knows its input, else by coordinates.
+  /// For each vertex of the complex its mesh vertex, or kNoIndex: by number where the mesh knows
+  /// its input (and has it where the input does), else by coordinates.
   std::vector<std::uint32_t> mesh_vertex;
   bool by_number = false;
   /// Diameter of the box around the vertices of the complex.
@@ -61,12 +66,14 @@ class VerifyContext {
 
   bool closed() const { return options.domain == "closed"; }
 
-  // The complex as an arrangement. Null where its segments cross: then nothing can be said of a domain.
+  // The complex as an arrangement. Null where its segments cross: then nothing can be said of a
+  // domain.
   PlanarView view;
   SweepResult swept;
   std::unique_ptr<PlanarArrangement> arrangement;
   std::vector<bool> inside;  ///< of each face of the arrangement: part of the closed domain
-  /// Whether the mesh must have the feature: always for hull and box; for closed where the domain touches it.
+  /// Whether the mesh must have the feature: always for hull and box; for closed where the domain
+  /// touches it.
   std::vector<std::uint8_t> vertex_wanted, segment_wanted;
 
   bool excused(const Cell& cell) const;
@@ -81,10 +88,11 @@ class VerifyContext {
 
 /// The mesh edges that an input segment is made of.
 struct Chain {
-  std::vector<std::uint32_t> vertices;  ///< from the first to the second end; empty where it is broken
-  bool labeled = false;                 ///< from the mesh's own labels; else by distance
-  std::string problem;                  ///< why it is broken
-  std::vector<std::uint32_t> at;        ///< mesh vertices where it is broken
+  std::vector<std::uint32_t>
+      vertices;                   ///< from the first to the second end; empty where it is broken
+  bool labeled = false;           ///< from the mesh's own labels; else by distance
+  std::string problem;            ///< why it is broken
+  std::vector<std::uint32_t> at;  ///< mesh vertices where it is broken
 };
 
 /// Walks the segments of a complex along edges of the mesh.

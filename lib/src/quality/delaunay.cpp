@@ -14,9 +14,10 @@ bool upward(const Point2& from, const Point2& to) {
   return to.y > from.y || (to.y == from.y && to.x > from.x);
 }
 
-/// Empty if the boundary of the mesh is one convex polygon, run through once. A mesh of counter-clockwise cells, each
-/// edge between at most two, with such a boundary covers the polygon exactly once: every point inside is
-/// covered as often as the boundary winds around it. Then locally Delaunay is Delaunay.
+/// Empty if the boundary of the mesh is one convex polygon, run through once. A mesh of
+/// counter-clockwise cells, each edge between at most two, with such a boundary covers the polygon
+/// exactly once: every point inside is covered as often as the boundary winds around it. Then
+/// locally Delaunay is Delaunay.
 std::string why_not_convex(const VerifyContext& context, std::vector<std::uint32_t>* worst) {
   std::vector<std::uint32_t> after(context.mesh.vertices.size(), kNoIndex);
   std::uint32_t start = kNoIndex;
@@ -49,7 +50,8 @@ std::string why_not_convex(const VerifyContext& context, std::vector<std::uint32
     const bool back = turn == Sign::kZero && upward(p, q) != upward(q, r);
     if (turn == Sign::kNegative || back) {
       *worst = {u, v, w};
-      return "the boundary is not convex at vertex " + std::to_string(v) + ", between " + vertices_text({u, w});
+      return "the boundary is not convex at vertex " + std::to_string(v) + ", between " +
+             vertices_text({u, w});
     }
     if (!upward(p, q) && upward(q, r)) ++turns;
     u = v;
@@ -66,8 +68,8 @@ std::string why_not_convex(const VerifyContext& context, std::vector<std::uint32
   return {};
 }
 
-/// A vertex in the open circumdisk of a counter-clockwise cell, or kNoIndex. Exact: the search is for candidates in a
-/// disk that surely contains the circumdisk, each is decided by the predicate.
+/// A vertex in the open circumdisk of a counter-clockwise cell, or kNoIndex. Exact: the search is
+/// for candidates in a disk that surely contains the circumdisk, each is decided by the predicate.
 class DiskSearch {
  public:
   explicit DiskSearch(const VerifyContext& context) : context_(context) {
@@ -82,7 +84,8 @@ class DiskSearch {
   }
 
   std::uint32_t find(const VerifyContext::Cell& cell) const {
-    const Point2 a = context_.point(cell[0]), b = context_.point(cell[1]), c = context_.point(cell[2]);
+    const Point2 a = context_.point(cell[0]), b = context_.point(cell[1]),
+                 c = context_.point(cell[2]);
     const double ux = b.x - a.x, uy = b.y - a.y, vx = c.x - a.x, vy = c.y - a.y;
     const double u2 = ux * ux + uy * uy, v2 = vx * vx + vy * vy;
     const double det = ux * vy - uy * vx;
@@ -90,14 +93,18 @@ class DiskSearch {
     Point2 center = a;
     double reach2 = std::numeric_limits<double>::infinity();
     if (std::fabs(det) > 4 * det_error) {
-      // Center minus a; errors of the numerators are below 2^-49 of their terms, that of det is det_error.
+      // Center minus a; errors of the numerators are below 2^-49 of their terms, that of det is
+      // det_error.
       const double nx = u2 * vy - v2 * uy, ny = v2 * ux - u2 * vx;
-      const double terms = u2 * (std::fabs(vx) + std::fabs(vy)) + v2 * (std::fabs(ux) + std::fabs(uy));
+      const double terms =
+          u2 * (std::fabs(vx) + std::fabs(vy)) + v2 * (std::fabs(ux) + std::fabs(uy));
       const double cx = nx / (2 * det), cy = ny / (2 * det);
       const double size = std::fabs(cx) + std::fabs(cy);
-      const double error = (0x1p-48 * terms + 2 * size * det_error) / std::fabs(det) + 0x1p-49 * size;
+      const double error =
+          (0x1p-48 * terms + 2 * size * det_error) / std::fabs(det) + 0x1p-49 * size;
       center = {a.x + cx, a.y + cy};
-      const double place = 0x1p-51 * (std::fabs(center.x) + std::fabs(center.y));  // of the sums, here and in distances
+      const double place = 0x1p-51 * (std::fabs(center.x) +
+                                      std::fabs(center.y));  // of the sums, here and in distances
       const double reach = (std::sqrt(cx * cx + cy * cy) + 2 * error + 2 * place) * (1 + 0x1p-48);
       reach2 = reach * reach;
     }
@@ -152,22 +159,27 @@ Check check_delaunay(const VerifyContext& context) {
     const std::uint32_t t = context.twin[h];
     if (t == kNoIndex || t < h || !context.positive[h / 3] || !context.positive[t / 3]) continue;
     ++edges;
-    const std::uint32_t a = context.origin(h), b = context.target(h), c = context.apex(h), d = context.apex(t);
-    if (incircle(context.point(a), context.point(b), context.point(c), context.point(d)) == Sign::kPositive)
-      fail({a, b, c, d}, "edge " + vertices_text({a, b}) + " is not locally Delaunay: vertex " + std::to_string(d) +
-                             " lies inside the circumcircle of " + vertices_text({a, b, c}));
+    const std::uint32_t a = context.origin(h), b = context.target(h), c = context.apex(h),
+                        d = context.apex(t);
+    if (incircle(context.point(a), context.point(b), context.point(c), context.point(d)) ==
+        Sign::kPositive)
+      fail({a, b, c, d}, "edge " + vertices_text({a, b}) + " is not locally Delaunay: vertex " +
+                             std::to_string(d) + " lies inside the circumcircle of " +
+                             vertices_text({a, b, c}));
   }
   std::string scope;
   if (!context.closed()) {
     std::vector<std::uint32_t> worst;
     if (context.cells.empty()) {
-      if (!all_collinear(context)) fail({}, "there are no cells, though not all vertices are collinear");
+      if (!all_collinear(context))
+        fail({}, "there are no cells, though not all vertices are collinear");
       scope = "there are no cells, and all vertices are collinear";
     } else {
       const std::string why = why_not_convex(context, &worst);
       if (!why.empty()) fail(worst, "the cells do not tile the convex hull: " + why);
       for (std::uint32_t v = 0; v < context.used.size(); ++v) {
-        if (!context.used[v]) fail({v}, "vertex " + std::to_string(v) + " is not a vertex of any cell");
+        if (!context.used[v])
+          fail({v}, "vertex " + std::to_string(v) + " is not a vertex of any cell");
       }
       scope = "the cells tile their convex hull, so that every circumdisk is empty";
     }
@@ -178,7 +190,8 @@ Check check_delaunay(const VerifyContext& context) {
       const auto& c = context.cells[i];
       const std::uint32_t v = search.find(c);
       if (v != kNoIndex)
-        fail({c[0], c[1], c[2], v}, "vertex " + std::to_string(v) + " lies inside the circumcircle of " +
+        fail({c[0], c[1], c[2], v}, "vertex " + std::to_string(v) +
+                                        " lies inside the circumcircle of " +
                                         vertices_text({c[0], c[1], c[2]}));
     }
     scope = "no vertex lies inside any of the " + count_text(context.cells.size(), "circumcircle");
@@ -186,7 +199,8 @@ Check check_delaunay(const VerifyContext& context) {
   check.ok = violations == 0;
   check.observed = static_cast<double>(violations);
   if (check.ok)
-    check.detail = count_text(edges, "edge") + " between two cells, all locally Delaunay by exact incircle; " + scope;
+    check.detail = count_text(edges, "edge") +
+                   " between two cells, all locally Delaunay by exact incircle; " + scope;
   else if (violations > 1)
     check.detail += " (" + std::to_string(violations) + " violations in all)";
   return check;

@@ -18,7 +18,8 @@ Check check_input_segments(const VerifyContext& context) {
       if (missing++ > 0) continue;
       check.worst = chain.at;
       const auto& ends = context.complex.segments[s];
-      check.detail = "input segment " + std::to_string(s) + " (" + vertices_text({ends[0], ends[1]}) +
+      check.detail = "input segment " + std::to_string(s) + " (" +
+                     vertices_text({ends[0], ends[1]}) +
                      ") is not a union of edges: " + chain.problem;
       if (!chain.at.empty()) check.detail += " (vertices " + vertices_text(chain.at) + ")";
       continue;
@@ -32,11 +33,15 @@ Check check_input_segments(const VerifyContext& context) {
     if (missing > 1) check.detail += " (" + std::to_string(missing) + " such)";
     return check;
   }
-  check.detail = count_text(labeled + walked, "input segment") + ", each a union of edges in order, " +
-                 count_text(pieces, "subsegment") + " in all";
+  check.detail = count_text(labeled + walked, "input segment") +
+                 ", each a union of edges in order, " + count_text(pieces, "subsegment") +
+                 " in all";
   if (walked > 0)
-    check.detail += "; " + std::to_string(walked) + " without labels: vertices count as on them within 1e-9 of the diameter";
-  if (elsewhere > 0) check.detail += "; " + std::to_string(elsewhere) + " do not bound the domain, or repeat another";
+    check.detail += "; " + std::to_string(walked) +
+                    " without labels: vertices count as on them within 1e-9 of the diameter";
+  if (elsewhere > 0)
+    check.detail +=
+        "; " + std::to_string(elsewhere) + " do not bound the domain, or repeat another";
   return check;
 }
 

@@ -17,6 +17,13 @@ Check check_input_vertices(const VerifyContext& context) {
   };
   for (std::uint32_t i = 0; i < context.complex.vertices.size(); ++i) {
     const Point3& p = context.complex.vertices[i];
+    if (context.by_number) {
+      const Point3& q = context.mesh.vertices[i];
+      if (!same_bits(p.x, q.x) || !same_bits(p.y, q.y)) {
+        fail(i, "has moved");
+        continue;
+      }
+    }
     const std::uint32_t v = context.mesh_vertex[i];
     if (v == kNoIndex) {
       // A vertex that the domain does not reach may be left out of a mesh with its own numbering.
@@ -25,13 +32,6 @@ Check check_input_vertices(const VerifyContext& context) {
       else
         ++elsewhere;
       continue;
-    }
-    if (context.by_number) {
-      const Point3& q = context.mesh.vertices[v];
-      if (!same_bits(p.x, q.x) || !same_bits(p.y, q.y)) {
-        fail(i, "has moved");
-        continue;
-      }
     }
     if (context.vertex_wanted[i] && !context.used[v] && !context.cells.empty())
       fail(i, "is not a vertex of any cell");

@@ -10,13 +10,15 @@
 namespace circumball {
 
 TriangleMeasure measure_triangle(const Point2& a, const Point2& b, const Point2& c) {
-  const double ux = b.x - a.x, uy = b.y - a.y, vx = c.x - b.x, vy = c.y - b.y, wx = a.x - c.x, wy = a.y - c.y;
+  const double ux = b.x - a.x, uy = b.y - a.y, vx = c.x - b.x, vy = c.y - b.y, wx = a.x - c.x,
+               wy = a.y - c.y;
   const double u2 = ux * ux + uy * uy, v2 = vx * vx + vy * vy, w2 = wx * wx + wy * wy;
   TriangleMeasure m;
   m.shortest = std::sqrt(std::min({u2, v2, w2}));
   m.longest = std::sqrt(std::max({u2, v2, w2}));
-  // The cross product of the two shorter edges. With unit roundoff e = 2^-53 differences have relative errors
-  // of e, products of 3 e, so that the cross product is off by at most 4 e of the sum of its two products.
+  // The cross product of the two shorter edges. With unit roundoff e = 2^-53 differences have
+  // relative errors of e, products of 3 e, so that the cross product is off by at most 4 e of the
+  // sum of its two products.
   double px, py, qx, qy;
   if (u2 >= v2 && u2 >= w2)
     px = vx, py = vy, qx = wx, qy = wy;
@@ -32,7 +34,8 @@ TriangleMeasure measure_triangle(const Point2& a, const Point2& b, const Point2&
     sum.add_cross(b.x, b.y, c.x, c.y);
     sum.add_cross(c.x, c.y, a.x, a.y);
     m.cross = sum.value();
-    // Another evaluation need not have taken this care; what it can be off by is granted up to 1e-11.
+    // Another evaluation need not have taken this care; what it can be off by is granted up to
+    // 1e-11.
     cross_error = std::min(std::max(cross_error, 0.0), 1e-11);
     if (!(cross_error <= 1e-11)) cross_error = 1e-11;  // NaN
   }
@@ -65,7 +68,8 @@ Quality measure(const Mesh& mesh) {
     const std::uint32_t* v = mesh.cell(i);
     const std::size_t n = mesh.vertices.size();
     if (v[0] >= n || v[1] >= n || v[2] >= n) continue;
-    const Point2 a = xy(mesh.vertices[v[0]]), b = xy(mesh.vertices[v[1]]), c = xy(mesh.vertices[v[2]]);
+    const Point2 a = xy(mesh.vertices[v[0]]), b = xy(mesh.vertices[v[1]]),
+                 c = xy(mesh.vertices[v[2]]);
     const TriangleMeasure m = measure_triangle(a, b, c);
     const AngleRange angles = angles_degrees(a, b, c);
     twice_area.add(1, m.cross);

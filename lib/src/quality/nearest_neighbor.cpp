@@ -17,7 +17,8 @@ Check check_nearest_neighbor(const VerifyContext& context) {
   const double bound = std::sqrt(2.0);
   check.bound = bound;
   const FeatureSizes sizes(context.complex, [&](const Feature& f) {
-    return f.kind == FeatureKind::kVertex ? context.vertex_wanted[f.index] != 0 : context.segment_wanted[f.index] != 0;
+    return f.kind == FeatureKind::kVertex ? context.vertex_wanted[f.index] != 0
+                                          : context.segment_wanted[f.index] != 0;
   });
   std::vector<Box2> boxes;
   std::vector<std::uint32_t> item_of_vertex(context.mesh.vertices.size(), kNoIndex);
@@ -47,12 +48,15 @@ Check check_nearest_neighbor(const VerifyContext& context) {
   }
   check.ok = bad == 0;
   check.observed = worst;
-  check.detail = bad == 0 ? "N(q0) <= sqrt 2 lfs(q0) at " + std::to_string(looked_at) +
-                                " input vertices (thesis, Theorem 2.3), lfs from the input features by definition"
-                          : "N(q0) > sqrt 2 lfs(q0) at " + std::to_string(bad) + " of " + std::to_string(looked_at) +
-                                " input vertices (thesis, Theorem 2.3)";
+  check.detail =
+      bad == 0
+          ? "N(q0) <= sqrt 2 lfs(q0) at " + std::to_string(looked_at) +
+                " input vertices (thesis, Theorem 2.3), lfs from the input features by definition"
+          : "N(q0) > sqrt 2 lfs(q0) at " + std::to_string(bad) + " of " +
+                std::to_string(looked_at) + " input vertices (thesis, Theorem 2.3)";
   if (!check.worst.empty())
-    check.detail += "; the largest ratio is " + value_text(worst) + ", at vertex " + vertices_text(check.worst);
+    check.detail +=
+        "; the largest ratio is " + value_text(worst) + ", at vertex " + vertices_text(check.worst);
   return check;
 }
 

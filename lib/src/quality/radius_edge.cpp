@@ -12,8 +12,10 @@ Check check_radius_edge(const VerifyContext& context) {
   std::size_t bad = 0, excused = 0;
   bool worst_bad = false;
   for (const auto& c : context.cells) {
-    const TriangleMeasure m = measure_triangle(context.point(c[0]), context.point(c[1]), context.point(c[2]));
-    // Beyond tau for sure, or within the error of two measurements: the mesher's that let it pass, and this one.
+    const TriangleMeasure m =
+        measure_triangle(context.point(c[0]), context.point(c[1]), context.point(c[2]));
+    // Beyond tau for sure, or within the error of two measurements: the mesher's that let it pass,
+    // and this one.
     const bool is_bad = m.radius_edge * (1 - 2 * m.error) > tau;
     if (is_bad && context.excused(c)) {
       ++excused;
@@ -29,12 +31,17 @@ Check check_radius_edge(const VerifyContext& context) {
   }
   check.ok = bad == 0;
   check.observed = worst;
-  check.detail = bad == 0 ? "circumradius / shortest edge of every cell is at most " + value_text(tau)
-                          : count_text(bad, "cell") + " with circumradius / shortest edge above " + value_text(tau);
+  check.detail =
+      bad == 0
+          ? "circumradius / shortest edge of every cell is at most " + value_text(tau)
+          : count_text(bad, "cell") + " with circumradius / shortest edge above " + value_text(tau);
   if (!check.worst.empty())
-    check.detail += "; the largest is " + value_text(worst) + ", of cell " + vertices_text(check.worst);
-  check.detail += " (relative rounding error of the measurements below " + value_text(2 * error) + ", granted)";
-  if (excused > 0) check.detail += "; " + count_text(excused, "cell") + " above it excused as refused by Safety";
+    check.detail +=
+        "; the largest is " + value_text(worst) + ", of cell " + vertices_text(check.worst);
+  check.detail +=
+      " (relative rounding error of the measurements below " + value_text(2 * error) + ", granted)";
+  if (excused > 0)
+    check.detail += "; " + count_text(excused, "cell") + " above it excused as refused by Safety";
   return check;
 }
 

@@ -11,15 +11,18 @@ bool upward(const Point2& from, const Point2& to) {
 
 /// How the cells at the vertices are connected.
 struct Links {
-  std::size_t pinched = 0;            // vertices with several fans: the mesh touches itself there
-  std::uint32_t bad = kNoIndex;       // a vertex with a full turn of cells and more, or that is wound around twice
+  std::size_t pinched = 0;  // vertices with several fans: the mesh touches itself there
+  std::uint32_t bad =
+      kNoIndex;  // a vertex with a full turn of cells and more, or that is wound around twice
   std::size_t bad_count = 0;
 };
 
 Links find_links(const VerifyContext& context) {
-  // A corner is named by its half-edge (the one opposite to it). Turning counter-clockwise at v crosses the
-  // half-edge that ends at v, whose twin starts there.
-  const auto next_corner = [](std::uint32_t h, std::uint32_t k) { return h - h % 3 + (h % 3 + k) % 3; };
+  // A corner is named by its half-edge (the one opposite to it). Turning counter-clockwise at v
+  // crosses the half-edge that ends at v, whose twin starts there.
+  const auto next_corner = [](std::uint32_t h, std::uint32_t k) {
+    return h - h % 3 + (h % 3 + k) % 3;
+  };
   const std::uint32_t corners = static_cast<std::uint32_t>(3 * context.cells.size());
   const std::size_t n = context.mesh.vertices.size();
   std::vector<std::uint8_t> seen(corners, 0);
@@ -43,7 +46,8 @@ Links find_links(const VerifyContext& context) {
     for (std::uint32_t at = c; !seen[at];) {
       seen[at] = 1;
       // the spoke from the first to the second edge of the cell: it rises once in every full turn
-      if (!upward(center, context.point(context.origin(at))) && upward(center, context.point(context.target(at))))
+      if (!upward(center, context.point(context.origin(at))) &&
+          upward(center, context.point(context.target(at))))
         ++turns;
       at = next_corner(context.twin[next_corner(at, 1)], 1);
     }
@@ -97,7 +101,8 @@ Check check_topology(const VerifyContext& context) {
     const auto& c = context.cells[first_inverted];
     fail(inverted, {c[0], c[1], c[2]},
          count_text(inverted, "cell") + " clockwise or flat, first cell " +
-             std::to_string(context.cell_number[first_inverted]) + " (" + vertices_text({c[0], c[1], c[2]}) + ")");
+             std::to_string(context.cell_number[first_inverted]) + " (" +
+             vertices_text({c[0], c[1], c[2]}) + ")");
   }
   std::vector<VerifyContext::Cell> sorted = context.cells;
   for (auto& c : sorted) std::sort(c.begin(), c.end());
@@ -110,18 +115,20 @@ Check check_topology(const VerifyContext& context) {
   }
   if (duplicates > 0)
     fail(duplicates, duplicate,
-         count_text(duplicates, "cell") + " repeated, first that of vertices " + vertices_text(duplicate));
+         count_text(duplicates, "cell") + " repeated, first that of vertices " +
+             vertices_text(duplicate));
   if (!context.bad_edges.empty()) {
     const auto& e = context.bad_edges.front();
     fail(context.bad_edges.size(), {e[0], e[1]},
          count_text(context.bad_edges.size(), "edge") +
-             " with more than two cells, or two on one side, first that from " + vertices_text({e[0], e[1]}));
+             " with more than two cells, or two on one side, first that from " +
+             vertices_text({e[0], e[1]}));
   }
   const Links links = find_links(context);
   if (links.bad != kNoIndex)
     fail(links.bad_count, {links.bad},
-         "the cells at vertex " + std::to_string(links.bad) + " do not go around it exactly once (" +
-             std::to_string(links.bad_count) + " such)");
+         "the cells at vertex " + std::to_string(links.bad) +
+             " do not go around it exactly once (" + std::to_string(links.bad_count) + " such)");
 
   std::size_t vertices = 0, boundary = 0;
   for (const std::uint8_t u : context.used) vertices += u;
@@ -130,10 +137,13 @@ Check check_topology(const VerifyContext& context) {
   check.bound = 0;
   check.observed = static_cast<double>(problems);
   if (check.ok) {
-    const std::int64_t euler = static_cast<std::int64_t>(vertices) - static_cast<std::int64_t>(context.edge_count) +
+    const std::int64_t euler = static_cast<std::int64_t>(vertices) -
+                               static_cast<std::int64_t>(context.edge_count) +
                                static_cast<std::int64_t>(context.cells.size());
-    check.detail = count_text(context.cells.size(), "cell") + ", all counter-clockwise, each edge between at most two (" +
-                   std::to_string(boundary) + " on the boundary), each vertex's link a cycle or paths; Euler characteristic " +
+    check.detail = count_text(context.cells.size(), "cell") +
+                   ", all counter-clockwise, each edge between at most two (" +
+                   std::to_string(boundary) +
+                   " on the boundary), each vertex's link a cycle or paths; Euler characteristic " +
                    std::to_string(euler);
     if (links.pinched > 0)
       check.detail += "; the boundary touches itself at " + std::to_string(links.pinched) +

@@ -9,10 +9,11 @@ namespace circumball {
 struct TriangleMeasure {
   double circumradius = 0;  ///< infinite for a flat triangle
   double shortest = 0, longest = 0;
-  double radius_edge = 0;   ///< thesis, Definition 2.1.2
-  double cross = 0;         ///< twice the signed area
-  /// Bound on the relative error of circumradius and radius_edge, and of any other evaluation of abc / 4A that
-  /// takes differences of coordinates first. Below 1e-11: where differences cancel, the area is taken in twice the precision.
+  double radius_edge = 0;  ///< thesis, Definition 2.1.2
+  double cross = 0;        ///< twice the signed area
+  /// Bound on the relative error of circumradius and radius_edge, and of any other evaluation of
+  /// abc / 4A that takes differences of coordinates first. Below 1e-11: where differences cancel,
+  /// the area is taken in twice the precision.
   double error = 0;
 };
 TriangleMeasure measure_triangle(const Point2& a, const Point2& b, const Point2& c);

@@ -38,9 +38,11 @@ std::vector<Check> verify(const Mesh& mesh, const Complex& complex, const Verify
   std::vector<Check> checks;
   for (const Entry& entry : kChecks) {
     const auto named = std::find(options.checks.begin(), options.checks.end(), entry.name);
-    const bool wanted = options.checks.empty() ? entry.applies(options) : named != options.checks.end();
+    const bool wanted =
+        options.checks.empty() ? entry.applies(options) : named != options.checks.end();
     // A bound that nobody gave cannot be checked, named or not.
-    if (!wanted || (entry.run == check_radius_edge && !options.tau) || (entry.run == check_size && !options.size))
+    if (!wanted || (entry.run == check_radius_edge && !options.tau) ||
+        (entry.run == check_size && !options.size))
       continue;
     checks.push_back(entry.run(context));
   }
