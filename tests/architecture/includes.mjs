@@ -13,8 +13,8 @@ export const layers = {
   refinement: ['predicates', 'delaunay', 'complex'],
   protection: ['predicates', 'delaunay', 'complex', 'refinement'],
   algorithms: ['predicates', 'delaunay', 'complex', 'refinement', 'protection', 'feature_size'],
-  // What checks a mesh shares no code with what made it, the predicates aside.
-  quality: ['predicates'],
+  // Verification may reason about complexes as `check` does; what it shares with the mesher is looked at below.
+  quality: ['predicates', 'complex', 'feature_size'],
   fem: [],
   io: [],
   report: [],
@@ -39,7 +39,8 @@ export const headers = {
 const libraries = [
   { pattern: /^nlohmann\//, allowed: ['io', 'report', 'algorithms', 'refinement'] },
   { pattern: /^Eigen\//, allowed: ['fem'] },
-  { pattern: /^(CLI|fmt|boost|CGAL|gtest|benchmark|emscripten)\//, allowed: [] },
+  { pattern: /^fmt\//, allowed: ['io'] }, // for what Emscripten's standard library lacks
+  { pattern: /^(CLI|boost|CGAL|gtest|benchmark|emscripten)\//, allowed: [] },
 ];
 
 function includesOf(path) {
@@ -84,6 +85,31 @@ export function objection(layer, { quoted, name }) {
     : `"${name}" is neither a public header nor of a layer`;
 }
 
+/** The headers of lib/src that the sources of some files lead to, directly or not. */
+function reachable(root, files) {
+  const found = new Set();
+  const visit = (path) => {
+    for (const { quoted, name } of includesOf(path)) {
+      const next = join(root, 'lib/src', name);
+      if (!quoted || found.has(name) || !existsSync(next)) continue;
+      found.add(name);
+      visit(next);
+      const source = next.replace(/\.h$/, '.cpp'); // what a header declares, its source does
+      if (existsSync(source)) visit(source);
+    }
+  };
+  for (const file of files) visit(file);
+  return found;
+}
+
+/** Verification shares no code with what made the mesh, the predicates aside. */
+function sharedWithMesher(root) {
+  const under = (layer) => sourcesUnder(join(root, 'lib/src', layer));
+  const mesher = reachable(root, [...under('refinement'), ...under('algorithms')]);
+  const verifier = reachable(root, under('quality'));
+  return [...verifier].filter((name) => mesher.has(name) && !name.startsWith('predicates/'));
+}
+
 /** Command and WebAssembly see the public headers, and the files beside them. */
 function outsideObjection({ quoted, name }) {
   if (!quoted || /^circumball\/\w+\.h$/.test(name) || !name.includes('/')) return '';
@@ -115,6 +141,9 @@ export function check(root) {
       }
     }
   }
+  for (const name of sharedWithMesher(root)) {
+    defects.push(`lib/src/${name}: verification shares it with the mesher that it checks`);
+  }
   for (const folder of ['lib/cli', 'wasm']) {
     for (const path of sourcesUnder(join(root, folder))) {
       for (const include of includesOf(path)) note(path, include, outsideObjection(include));
@@ -129,6 +158,7 @@ function selfTest() {
     ['predicates', { quoted: true, name: 'delaunay/delaunay2.h' }],
     ['delaunay', { quoted: true, name: 'refinement/loop.h' }],
     ['quality', { quoted: true, name: 'delaunay/delaunay2.h' }],
+    ['complex', { quoted: true, name: 'feature_size/feature_size.h' }],
     ['quality', { quoted: true, name: 'circumball/refine.h' }],
     ['io', { quoted: true, name: 'complex/live2.h' }],
     ['refinement', { quoted: true, name: 'algorithms/ruppert.h' }],
