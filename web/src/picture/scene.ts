@@ -19,6 +19,7 @@ import type {
   View,
 } from '../shared/types';
 import { emptyComplex, Label, VertexKind } from '../shared/types';
+import { mix } from './color';
 import { Coloring } from './coloring';
 import { type Items, noItems } from './items';
 import { complexItems, defectItems, segmentWidth } from './layers/complex-layer';
@@ -288,7 +289,7 @@ export class Scene {
         size: 11,
         color:
           this.meshed && this.model.vertexKind[v] !== VertexKind.input
-            ? this.theme.edge
+            ? mix(this.theme.ink, this.theme.edge, 0.35)
             : this.theme.ink,
         dx: 7,
         dy: 5,

@@ -71,8 +71,8 @@ export class MeshLayer {
       this.ramp.minFilter = filter;
       this.ramp.magFilter = filter;
       this.ramp.needsUpdate = true;
-      // Edges over a strong color are thinner by being quieter.
-      u.uEdge.value.multiplyScalar(0.75);
+      // On paper quieter edges leave the word to the colors; on dark fills they would be lost.
+      if (!theme.dark) u.uEdge.value.multiplyScalar(0.75);
     }
     this.setRange(coloring);
   }
