@@ -200,8 +200,11 @@ void Flattener::end(bool closed) {
     points_.clear();
     return;
   }
-  const Point2 first = points_.front(), last = points_.back();
-  if (closed && length({last.x - first.x, last.y - first.y}) <= closing_) points_.pop_back();
+  const Point2 first = points_.front();
+  const auto is_back = [&](const Point2& p) {
+    return length({p.x - first.x, p.y - first.y}) <= closing_;
+  };
+  while (closed && points_.size() > 2 && is_back(points_.back())) points_.pop_back();
   const std::uint32_t start = lines_.vertex(first.x, first.y);
   std::uint32_t here = start;
   for (std::size_t i = 1; i < points_.size(); ++i) {

@@ -107,7 +107,7 @@ class Path {
         command = tokens_.take();
         if (!started_ && (command | 0x20) != 'm') return stop(place);
       }
-      if (!run(command)) return stop(tokens_.position());
+      if (!run(command)) return stop(place);
     }
     return stop(tokens_.position());
   }

@@ -53,25 +53,17 @@ std::string stroke(const char* color, double width) {
          "\" stroke-linejoin=\"round\" stroke-linecap=\"round\"";
 }
 
-/// Path data of segments; one that starts where the last ended goes on with it, and one that comes
-/// back closes it.
+/// Path data of segments; one that starts where the last ended goes on with it. Loops come back to
+/// their first point without Z, which would move ends that nearly meet onto it.
 template <class Segment>
 std::string lines(std::size_t count, const std::vector<Point3>& vertices, Segment segment) {
   std::string out;
-  std::uint32_t start = kNoIndex, here = kNoIndex;
+  std::uint32_t here = kNoIndex;
   for (std::size_t i = 0; i < count; ++i) {
     const auto [a, b] = segment(i);
-    if (a != here) {
-      out += (out.empty() ? "M" : "\nM") + place(vertices[a]);
-      start = a;
-    }
+    if (a != here) out += (out.empty() ? "M" : "\nM") + place(vertices[a]);
+    out += "L" + place(vertices[b]);
     here = b;
-    if (b == start) {
-      out += "Z";
-      here = kNoIndex;
-    } else {
-      out += "L" + place(vertices[b]);
-    }
   }
   return out;
 }

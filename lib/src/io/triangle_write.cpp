@@ -81,8 +81,10 @@ std::string edges(const Mesh& mesh) {
   for (std::size_t i = 0; i < mesh.edges.size(); ++i)
     rows.push_back({mesh.edges[i].a, mesh.edges[i].b, i});
   for (std::size_t i = 0; i < mesh.cell_count(); ++i)
-    for (std::size_t k = 0; k < 3; ++k)
-      rows.push_back({mesh.cell(i)[k], mesh.cell(i)[(k + 1) % 3], kNone});
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = mesh.cell(i)[k], b = mesh.cell(i)[(k + 1) % 3];
+      rows.push_back({std::min(a, b), std::max(a, b), kNone});
+    }
   const auto key = [](const Row& r) {
     return std::array<std::uint32_t, 2>{std::min(r.a, r.b), std::max(r.a, r.b)};
   };

@@ -1,0 +1,219 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <new>
+
+#include "circumball/io.h"
+#include "io_test_util.h"
+
+// Allocations of this binary are counted: no file may take more memory than a small multiple of its
+// size.
+namespace {
+
+std::size_t live_bytes = 0, peak_bytes = 0;
+constexpr std::size_t kHeader = alignof(std::max_align_t);
+
+void* counted_allocate(std::size_t size) {
+  auto* block = static_cast<unsigned char*>(std::malloc(size + kHeader));
+  if (!block) std::abort();
+  *reinterpret_cast<std::size_t*>(block) = size;
+  live_bytes += size;
+  peak_bytes = std::max(peak_bytes, live_bytes);
+  return block + kHeader;
+}
+
+void counted_free(void* pointer) {
+  if (!pointer) return;
+  auto* block = static_cast<unsigned char*>(pointer) - kHeader;
+  live_bytes -= *reinterpret_cast<std::size_t*>(block);
+  std::free(block);
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) { return counted_allocate(size); }
+void* operator new[](std::size_t size) { return counted_allocate(size); }
+void operator delete(void* pointer) noexcept { counted_free(pointer); }
+void operator delete[](void* pointer) noexcept { counted_free(pointer); }
+void operator delete(void* pointer, std::size_t) noexcept { counted_free(pointer); }
+void operator delete[](void* pointer, std::size_t) noexcept { counted_free(pointer); }
+
+namespace circumball {
+namespace {
+
+using io_test::files;
+using io_test::folder;
+using io_test::sample_complex;
+using io_test::sample_mesh;
+using io_test::SplitMix64;
+
+/// Bytes of memory that a byte of a file may cost: JSON's "[]," makes an array of its own out of
+/// three bytes, SVG's curves take up to 64 vertices and segments with their look-up for a dozen
+/// bytes.
+constexpr std::size_t kMultiple = 1000, kConstant = 200000;
+
+/// Valid files of every format, with the name and the siblings that they are read with.
+struct Seed {
+  std::string name, bytes;
+};
+
+std::vector<Seed> seeds() {
+  std::string error;
+  std::vector<Seed> out;
+  for (const char* extension : {".poly", ".node", ".json", ".obj", ".svg"})
+    out.push_back({std::string("a") + extension,
+                   write_complex(sample_complex(), extension, &error).at(0).bytes});
+  for (const char* extension : {".ele", ".json", ".off", ".obj"})
+    out.push_back({std::string("m") + extension,
+                   files(write_mesh(sample_mesh(), sample_complex(), extension, {}, &error), "m")
+                       .at(std::string("m") + extension)});
+  out.push_back({"a.poly", "0 2 0 0\n2 0\n1 1 2\n2 2 3\n1\n1 .5 .5\n"});
+  out.push_back(
+      {"a.geojson", R"({"type":"FeatureCollection","features":[{"type":"Feature","geometry":
+    {"type":"Polygon","coordinates":[[[0,0],[1,0],[1,1e3],[0,0]]]}}]})"});
+  out.push_back({"a.svg",
+                 "<svg><g transform='rotate(30) scale(2)'><path d='M1 2h3v4C1 2 3 4 5 6S1 2 3 "
+                 "4Q5 6 7 8T1 2A3 4 5 1 0 9 9z'/></g><rect x='1' width='5' height='6' rx='1'/>"
+                 "<circle r='5'/><polygon points='1,2 3,4 5,6'/></svg>"});
+  return out;
+}
+
+/// One file changed by a few random edits.
+std::string mutate(std::string bytes, SplitMix64* random) {
+  static const char* const kWords[] = {"999999999999", "-1",   "1e999",   "nan",       "4294967295",
+                                       "[[[[",         "<g>",  "0 0 0 0", "\n",        "#",
+                                       "\"",           "null", "{}",      "2147483647"};
+  for (std::size_t edits = 1 + random->below(4); edits > 0 && !bytes.empty(); --edits) {
+    const std::size_t at = random->below(bytes.size());
+    const std::size_t length = 1 + random->below(std::min<std::size_t>(bytes.size() - at, 40));
+    switch (random->below(6)) {
+      case 0:
+        bytes[at] = static_cast<char>(bytes[at] ^ (1 << random->below(8)));
+        break;
+      case 1:
+        bytes[at] = static_cast<char>(random->below(256));
+        break;
+      case 2:
+        bytes.resize(at);
+        break;
+      case 3:
+        bytes.insert(at, bytes.substr(at, length));
+        break;
+      case 4:
+        bytes.erase(at, length);
+        break;
+      default:
+        bytes.insert(at, kWords[random->below(std::size(kWords))]);
+        break;
+    }
+  }
+  return bytes;
+}
+
+/// Reads `bytes` and checks what must hold whatever they are.
+void expect_tame(const std::string& name, const std::string& bytes, const Sibling& sibling,
+                 std::size_t sibling_bytes) {
+  peak_bytes = live_bytes;
+  const std::size_t before = live_bytes;
+  {
+    const ReadResult r = read(bytes, name, sibling);
+    ASSERT_LE(peak_bytes - before, kMultiple * (bytes.size() + sibling_bytes) + kConstant) << bytes;
+    for (const Defect& d : r.defects) {
+      ASSERT_FALSE(d.name.empty()) << bytes;
+      ASSERT_FALSE(d.message.empty()) << bytes;
+    }
+    if (!r.ok()) {
+      ASSERT_TRUE(r.complex.vertices.empty());
+      return;
+    }
+    // What is given away is sound: the writers and `check` may rely on it.
+    const std::size_t n = r.complex.vertices.size();
+    for (const auto& s : r.complex.segments) ASSERT_TRUE(s[0] < n && s[1] < n) << bytes;
+    if (r.mesh) {
+      for (const std::uint32_t v : r.mesh->cells) ASSERT_LT(v, r.mesh->vertices.size()) << bytes;
+      ASSERT_TRUE(r.mesh->vertex_features.empty() ||
+                  r.mesh->vertex_features.size() == r.mesh->vertices.size());
+      ASSERT_TRUE(r.mesh->edge_markers.empty() ||
+                  r.mesh->edge_markers.size() == r.mesh->edges.size());
+      ASSERT_TRUE(r.mesh->cell_regions.empty() ||
+                  r.mesh->cell_regions.size() == r.mesh->cell_count());
+    }
+    std::string error;
+    for (const char* extension : {".poly", ".json", ".obj", ".svg"}) {
+      const std::size_t written = write_complex(r.complex, extension, &error).size();
+      ASSERT_EQ(written, r.complex.dimension == 2 || std::string(".json") == extension) << bytes;
+    }
+  }
+  ASSERT_EQ(live_bytes, before);
+}
+
+TEST(Fuzz, NoMutationOfAValidFileCrashesOrTakesMuchMemory) {
+  SplitMix64 random(2009);
+  std::string error;
+  const auto family = files(write_mesh(sample_mesh(), sample_complex(), ".ele", {}, &error), "m");
+  std::size_t accepted = 0, rounds = 0;
+  for (const Seed& seed : seeds()) {
+    for (int round = 0; round < 2500; ++round, ++rounds) {
+      auto siblings = family;
+      siblings["a.node"] = "3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n";
+      const std::string bytes = mutate(seed.bytes, &random);
+      std::size_t sibling_bytes = 0;
+      for (auto& [name, content] : siblings) {
+        if (random.below(4) == 0) content = mutate(content, &random);
+        sibling_bytes += content.size();
+      }
+      expect_tame(seed.name, bytes, folder(siblings), sibling_bytes);
+      if (HasFatalFailure()) return;
+      accepted += read(bytes, seed.name, folder(siblings)).ok();
+    }
+  }
+  // Both outcomes occur often, so that neither goes untested.
+  EXPECT_GT(accepted, rounds / 20);
+  EXPECT_LT(accepted, rounds - rounds / 20);
+}
+
+TEST(Fuzz, RandomBytesAreRefused) {
+  SplitMix64 random(5);
+  for (int round = 0; round < 5000; ++round) {
+    std::string bytes(random.below(200), '\0');
+    const bool text = round % 2 == 0;
+    static const std::string kAlphabet = "0123456789 .-+eE\n\t#,<>/\"'{}[]:vlfOMz";
+    for (char& c : bytes)
+      c = text ? kAlphabet[random.below(kAlphabet.size())] : static_cast<char>(random.below(256));
+    expect_tame("a.poly", bytes, nullptr, 0);
+    if (HasFatalFailure()) return;
+  }
+}
+
+TEST(Fuzz, FilesThatTryToBeExpensiveAreNot) {
+  const auto repeated = [](const std::string& head, const std::string& unit, std::size_t size) {
+    std::string out = head;
+    while (out.size() < size) out += unit;
+    return out;
+  };
+  constexpr std::size_t kSize = 200000;
+  const std::string own = R"({"circumball":1,"dimension":2,"vertices":[[0,0]],"x":[)";
+  const std::string cases[] = {
+      repeated(own, "[],", kSize) + "[]]}",
+      repeated(own, "0,", kSize) + "0]}",
+      repeated(own, "{\"a\":0},", kSize) + "0]}",
+      repeated("<svg><path d='M0 0", "A1 1 0 0 0 1 1 0 0", kSize) + "'/></svg>",
+      repeated("<svg><path d='M0 0c", "9 9 9-9 1 0 ", kSize) + "'/></svg>",
+      repeated("<svg>", "<circle r='9'/>", kSize) + "</svg>",
+      repeated("<svg>", "<g>", kSize),
+      repeated("v 0 0\n", "l 1 1\n", kSize),
+      repeated("v 0 0\n", "f 1 1 1\n", kSize),
+      repeated("99999 2 0 0\n", "1 0 0\n", kSize),
+      repeated("", "-", kSize),
+      repeated("1 2 0 0\n1 0 0", "0", kSize),
+      repeated("1 2 0 0\n1 0 1e", "9", kSize),
+  };
+  for (const std::string& bytes : cases) {
+    expect_tame("a", bytes, nullptr, 0);
+    if (HasFatalFailure()) return;
+  }
+}
+
+}  // namespace
+}  // namespace circumball
