@@ -1,20 +1,10 @@
 #include <cmath>
 
 #include "complex/planar_arrangement.h"
+#include "predicates/elementary.h"
 
 namespace circumball {
 namespace {
-
-/// Arc tangent of x in [0, 1] in radians, from + * / sqrt only: the angle decides which algorithm
-/// is the default, which must be the same on every platform. Three half-angle steps bring x below
-/// 0.1, where eight terms of the series leave 1e-18.
-double arc_tangent(double x) {
-  for (int i = 0; i < 3; ++i) x = x / (1 + std::sqrt(1 + x * x));
-  const double y = x * x;
-  double sum = 0;
-  for (int k = 15; k >= 1; k -= 2) sum = 1.0 / k - y * sum;
-  return 8 * x * sum;
-}
 
 /// Angle between two directions in degrees, 0 to 180: twice the arc tangent of |u/|u| - v/|v|| /
 /// |u/|u| + v/|v|| (Kahan), which is accurate for small and for straight angles. A few units in the
@@ -26,8 +16,8 @@ double angle_degrees(const Point2& u, const Point2& v) {
   const double sum = std::sqrt((ax + bx) * (ax + bx) + (ay + by) * (ay + by));
   constexpr double kTwiceDegrees = 114.59155902616465;  // 360 / pi
   if (difference == sum) return 90;
-  if (difference < sum) return kTwiceDegrees * arc_tangent(difference / sum);
-  return 180 - kTwiceDegrees * arc_tangent(sum / difference);
+  if (difference < sum) return kTwiceDegrees * elementary::atan(difference / sum);
+  return 180 - kTwiceDegrees * elementary::atan(sum / difference);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "circumball/verify.h"
 #include "complex/product_sum.h"
+#include "predicates/elementary.h"
 #include "quality/triangle_measure.h"
 
 namespace circumball {
@@ -53,7 +54,10 @@ AngleRange angles_degrees(const Point2& a, const Point2& b, const Point2& c) {
   constexpr double kDegrees = 57.295779513082320877;
   const double cross = std::fabs(measure_triangle(a, b, c).cross);
   const auto angle = [&](const Point2& p, const Point2& q, const Point2& r) {
-    return kDegrees * std::atan2(cross, (q.x - p.x) * (r.x - p.x) + (q.y - p.y) * (r.y - p.y));
+    const double dot = (q.x - p.x) * (r.x - p.x) + (q.y - p.y) * (r.y - p.y);
+    if (std::fabs(dot) < cross) return 90 - kDegrees * elementary::atan(dot / cross);
+    const double acute = dot != 0 ? kDegrees * elementary::atan(cross / std::fabs(dot)) : 0;
+    return dot < 0 ? 180 - acute : acute;
   };
   const std::array<double, 3> all = {angle(a, b, c), angle(b, c, a), angle(c, a, b)};
   return {*std::min_element(all.begin(), all.end()), *std::max_element(all.begin(), all.end())};

@@ -18,7 +18,7 @@ struct TriangleMeasure {
 };
 TriangleMeasure measure_triangle(const Point2& a, const Point2& b, const Point2& c);
 
-/// Smallest and largest angle in degrees; reported only, never decided with (they come from libm).
+/// Smallest and largest angle in degrees, a few ulp accurate; reported only, never decided with.
 struct AngleRange {
   double min, max;
 };
