@@ -194,7 +194,7 @@ TEST(EdgeFile, ListsEveryEdgeWithMarkerAndInputSegment) {
   std::string error;
   const auto family = files(write_mesh(m, {}, ".node", {}, &error), "m");
   EXPECT_EQ(family.at("m.edge"),
-            "7 1\n1 1 2 1 1\n2 1 3 0 0\n3 4 1 1 -1\n4 2 3 1 2\n5 2 5 0 0\n6 3 4 1 3\n7 5 3 0 0\n");
+            "7 1\n1 1 2 1 1\n2 1 3 0 0\n3 4 1 1 -1\n4 2 3 1 2\n5 2 5 0 0\n6 3 4 1 3\n7 3 5 0 0\n");
   EXPECT_EQ(family.at("m.poly"), "0 2 0 0\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n");
   EXPECT_EQ(family.at("m.ele"), "3 3 1\n1 1 2 3 1\n2 1 3 4 2\n3 2 5 3 1\n");
 }
