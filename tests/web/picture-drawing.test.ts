@@ -96,12 +96,15 @@ describe('motion', () => {
     forward: true,
   };
 
-  it('takes 150 to 250 ms at speed 1, is shorter when fast, and none when very fast', () => {
-    const once = makeMotion(state, change, 1)!;
-    expect(once.milliseconds).toBeGreaterThanOrEqual(150);
-    expect(once.milliseconds).toBeLessThanOrEqual(250);
-    expect(makeMotion(state, change, 2)!.milliseconds).toBeLessThan(once.milliseconds);
-    expect(makeMotion(state, change, 8)).toBeNull();
+  it('takes 150 to 250 ms, less where events come faster, and none where it would flicker', () => {
+    for (const speed of [1, 2, 6]) {
+      const { milliseconds } = makeMotion(state, change, speed)!;
+      expect(milliseconds).toBeGreaterThanOrEqual(150);
+      expect(milliseconds).toBeLessThanOrEqual(250);
+    }
+    expect(makeMotion(state, change, 10)!.milliseconds).toBeLessThan(100);
+    expect(makeMotion(state, change, 20)).toBeNull();
+    expect(makeMotion(state, change, Number.POSITIVE_INFINITY)).toBeNull();
   });
 
   it('covers the change wholly until its end, and then not at all', () => {

@@ -222,7 +222,8 @@ export interface Sketch {
 /** The three.js picture. Draws on demand only; owns no data but copies for the GPU. Built in web/src/picture/. */
 export interface Picture {
   readonly canvas: HTMLCanvasElement;
-  /** Null: no mesh is shown (editing). `change` given: animate from the state before (150–250 ms / speed). */
+  /** Null: no mesh is shown (editing). `change` given: animate from the state before (150–250 ms, less than the time between events;
+   * `speed` in events a second). */
   setMesh(state: MeshState | null, change?: MeshChange | null, speed?: number): void;
   setMoment(moment: Moment | null): void;
   setComplex(complex: Complex2, selection: Selection | null, defects: readonly DefectMark[]): void;

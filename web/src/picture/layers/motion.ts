@@ -19,16 +19,21 @@ export interface Motion {
   readonly milliseconds: number;
 }
 
-/** At speed 1; between 150 and 250 ms the eye follows without waiting. */
+/** Between 150 and 250 ms the eye follows without waiting. */
 const duration = 230;
+/** Part of the time between two events that a motion may take, so that it rests before the next. */
+const busy = 0.9;
 /** Shorter than this a motion is only flicker. */
 const shortest = 70;
 /** Changes of more triangles are shown at once. */
 const largest = 400;
 
-/** Null if the change is not to be animated. Copies what it needs: the arrays belong to the replay. */
+/**
+ * `speed` in events a second. Null if the change is not to be animated. Copies what it needs: the arrays belong to
+ * the replay.
+ */
 export function makeMotion(state: MeshState, change: MeshChange, speed: number): Motion | null {
-  const milliseconds = duration / Math.max(speed, 0.9);
+  const milliseconds = Math.min(duration, (busy * 1000) / speed);
   if (milliseconds < shortest) return null;
   if (change.vertex < 0 || change.died.length + change.born.length === 0) return null;
   if (change.died.length + change.born.length > largest) return null;
