@@ -33,6 +33,7 @@ export default defineConfig({
   projects: [
     {
       name: 'desktop',
+      testIgnore: 'phone.spec.ts',
       // Software rendering draws every pixel: a small window keeps the tests quick.
       use: { viewport: { width: 1000, height: 640 } },
     },

@@ -211,7 +211,7 @@ const view: Action[] = [
     title: 'Fit to the picture',
     group: 'View',
     keys: ['0'],
-    perform: () => app.fit(),
+    perform: () => app.picture?.fit(),
   },
   {
     id: 'zoom-in',

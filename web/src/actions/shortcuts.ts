@@ -32,7 +32,6 @@ export function handleKey(e: KeyboardEvent): void {
 }
 
 function editorTakes(e: KeyboardEvent): boolean {
-  if (e.key === 'Delete' || e.key === 'Backspace') return false; // an action
   return app.doc.editor.keyDown({
     key: e.key,
     shift: e.shiftKey,

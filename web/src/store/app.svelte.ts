@@ -86,8 +86,8 @@ export class App {
       return;
     }
     if (!this.hello) await this.begin();
+    if (this.mode === 'draw' && this.tab === 'setup') this.tab = 'why';
     this.mode = 'watch';
-    this.tab = this.tab === 'setup' && !this.run.error ? 'why' : this.tab;
     this.picked = null;
     await this.run.start(this.doc.complex, this.parameters.options(this.algorithms), () => {
       if (!this.run.trace) return;
@@ -146,13 +146,6 @@ export class App {
       view: this.picture?.getView() ?? null,
       color: this.settings.color,
     };
-  }
-
-  /** The whole input, clear of the tools at the left and the legend below. */
-  fit(): void {
-    this.picture?.fit();
-    this.picture?.zoomBy(0.92);
-    this.picture?.panBy(18, this.settings.legendOpen ? -16 : 0);
   }
 
   discardRun(): void {

@@ -1,0 +1,48 @@
+import AxeBuilder from '@axe-core/playwright';
+import { expect, type Page, test } from '@playwright/test';
+import { finished, open } from './page.ts';
+
+async function check(page: Page): Promise<void> {
+  const { violations } = await new AxeBuilder({ page })
+    .withTags(['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice'])
+    .analyze();
+  expect(
+    violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.target.join(' ')).join(', ')}`),
+  ).toEqual([]);
+}
+
+for (const theme of ['light', 'dark'] as const) {
+  test.describe(`axe finds nothing (${theme})`, () => {
+    test.use({ colorScheme: theme, reducedMotion: 'reduce' } as never);
+
+    test('on the page, in every tab', async ({ page }) => {
+      await open(page);
+      await finished(page);
+      for (const tab of ['Mesh', 'Setup', 'Why']) {
+        const button = page.getByRole('tab', { name: tab });
+        if (!(await button.isVisible())) await page.getByRole('button', { name: 'Panel' }).click();
+        await button.click();
+        await check(page);
+      }
+    });
+
+    test('while drawing', async ({ page }) => {
+      await open(page);
+      await finished(page);
+      await page.getByRole('button', { name: 'Polygon' }).click();
+      await check(page);
+    });
+
+    test('in examples, export, share and help', async ({ page }) => {
+      await open(page);
+      await finished(page);
+      for (const name of ['Examples', 'Export', 'Share', 'Help']) {
+        await page.getByRole('button', { name, exact: true }).first().click();
+        await expect(page.getByRole('dialog')).toBeVisible();
+        await check(page);
+        await page.keyboard.press('Escape');
+        await expect(page.getByRole('dialog')).toHaveCount(0);
+      }
+    });
+  });
+}
