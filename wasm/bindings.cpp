@@ -263,7 +263,7 @@ std::string report_of(int id, bool verified) {
     if (!session) return "null";
     const Mesh mesh = session->run->mesh();
     std::vector<Check> checks;
-    if (verified) checks = verify(mesh, session->input, promised_checks(*session->run));
+    if (verified) checks = verify(mesh, session->run->complex(), promised_checks(*session->run));
     ReportOptions options;
     options.worst_offenders = true;
     options.indent = -1;

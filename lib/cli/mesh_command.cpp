@@ -145,7 +145,7 @@ int mesh_command(const MeshArguments& arguments) {
 
   const Mesh mesh = run->mesh();
   std::vector<Check> checks;
-  if (arguments.verify) checks = verify(mesh, input.complex, promised_checks(*run));
+  if (arguments.verify) checks = verify(mesh, run->complex(), promised_checks(*run));
   if (!write_meshes(arguments, destinations, *run, arguments.compact ? compact(mesh) : mesh,
                     &error)) {
     return usage(error);

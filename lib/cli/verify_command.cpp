@@ -41,7 +41,9 @@ int verify_command(const VerifyArguments& arguments) {
   std::vector<Check> checks;
   for (const char* domain : {"closed", "hull", "box"}) {
     options.domain = domain;
-    std::vector<Check> attempt = verify(*mesh.mesh, input.complex, options);
+    const bool boxed = options.domain == "box";
+    std::vector<Check> attempt =
+        verify(*mesh.mesh, boxed ? with_box(input.complex, 3) : input.complex, options);
     const bool covers = named_ok(attempt, "area");
     if (checks.empty() || covers) checks = std::move(attempt);
     if (covers) break;

@@ -39,7 +39,8 @@ TEST(Algorithm7_2, TheDefaultDivisionSuitsUnevenComplexes) {
     ASSERT_TRUE(run);
     EXPECT_EQ(run->status(), Status::kComplete) << "seed " << seed;
     for (const Check& c : verify(run->mesh(), run->complex(), promised_checks(*run))) {
-      // The promise of 30 degrees needs every pair of disjoint features to be h apart; conformity does not.
+      // The promise of 30 degrees needs every pair of disjoint features to be h apart; conformity
+      // does not.
       if (c.name != "min-angle" && c.name != "size") {
         EXPECT_TRUE(c.ok) << c.name << ": " << c.detail;
       }
@@ -64,7 +65,8 @@ TEST(Algorithm7_2, TheLargestCircumradiusGoesFirst) {
   Options options = options_of("chew");
   options.size = "0.1";
   const auto run = finish(unit_square(), options, &trace);
-  // Queued values of the triangles that are alive, by their vertices: what is split next must hold the largest.
+  // Queued values of the triangles that are alive, by their vertices: what is split next must hold
+  // the largest.
   std::map<std::vector<std::uint32_t>, double> queued;
   const auto key = [](const Event& e) {
     std::vector<std::uint32_t> k(e.simplex, e.simplex + 3);
@@ -80,7 +82,8 @@ TEST(Algorithm7_2, TheLargestCircumradiusGoesFirst) {
       for (const auto& [k, v] : queued) EXPECT_LE(v, value);
     }
     for (std::uint32_t i = 0; i < e.other[0]; ++i) {
-      std::vector<std::uint32_t> dead(&trace.simplices[at + 4 * i], &trace.simplices[at + 4 * i] + 3);
+      std::vector<std::uint32_t> dead(&trace.simplices[at + 4 * i],
+                                      &trace.simplices[at + 4 * i] + 3);
       std::sort(dead.begin(), dead.end());
       if (e.kind == EventKind::kInserted) queued.erase(dead);
     }

@@ -11,9 +11,9 @@ namespace {
 
 TEST(Registry, EveryAlgorithmStatesItsFourRulesAndRuns) {
   for (const AlgorithmInfo& info : registry()) {
-    for (const std::string* text : {&info.id, &info.title, &info.thesis, &info.action,
-                                    &info.priority, &info.unacceptability, &info.safety,
-                                    &info.guarantee, &info.default_domain}) {
+    for (const std::string* text :
+         {&info.id, &info.title, &info.thesis, &info.action, &info.priority, &info.unacceptability,
+          &info.safety, &info.guarantee, &info.default_domain}) {
       EXPECT_FALSE(text->empty()) << info.id;
     }
     EXPECT_FALSE(info.checks.empty());

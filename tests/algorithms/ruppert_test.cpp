@@ -21,7 +21,8 @@ void expect_promises(const Run& run, const std::string& what) {
   }
 }
 
-// Input angles of 72 and 90 degrees, tau just above sqrt 2 and larger: Theorems 2.2 and 2.3, and the remark after them.
+// Input angles of 72 and 90 degrees, tau just above sqrt 2 and larger: Theorems 2.2 and 2.3, and
+// the remark after them.
 TEST(Theorem2_2, RuppertEndsAndKeepsItsPromises) {
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     const Complex complex = random_grid(seed, seed % 3 == 0 ? 0.3 : 0);

@@ -34,7 +34,8 @@ std::vector<std::vector<std::uint32_t>> inside(const Replay& replay) {
   return sorted_cells(kept.data(), kept.size() / 4, 4);
 }
 
-/// Small runs: a snapshot of every moment is kept. Those that reach the limit are stopped in the middle.
+/// Small runs: a snapshot of every moment is kept. Those that reach the limit are stopped in the
+/// middle.
 Options small(const char* algorithm) {
   Options options = options_of(algorithm);
   options.limits.max_vertices = 250;
@@ -135,8 +136,8 @@ TEST(Trace, InsertionRadiusIsTheDistanceToTheNearestVertex) {
     if (e.dimension > 0) {
       double nearest2 = HUGE_VAL;
       for (const Point3& p : present) {
-        nearest2 = std::min(nearest2, (p.x - e.at[0]) * (p.x - e.at[0]) +
-                                          (p.y - e.at[1]) * (p.y - e.at[1]));
+        nearest2 = std::min(nearest2,
+                            (p.x - e.at[0]) * (p.x - e.at[0]) + (p.y - e.at[1]) * (p.y - e.at[1]));
       }
       EXPECT_DOUBLE_EQ(e.value, std::sqrt(nearest2));
     }

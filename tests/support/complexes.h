@@ -9,7 +9,8 @@
 #include "circumball/complex.h"
 #include "circumball/refine.h"
 
-/// Complexes that tests share: a few by hand, and a generator of random ones whose angles are bounded.
+/// Complexes that tests share: a few by hand, and a generator of random ones whose angles are
+/// bounded.
 namespace circumball::testing {
 
 /// splitmix64 (Steele, Lea and Flood 2014): the same numbers everywhere.
@@ -47,9 +48,10 @@ inline void add_square(Complex* c, double x, double y, double side) {
   for (std::uint32_t i = 0; i < 4; ++i) c->segments.push_back({n + i, n + (i + 1) % 4});
 }
 
-/// A random complex on an uneven, skewed grid: some of its edges as segments, some vertices alone. Every two segments at
-/// a vertex are at the angle of the skew (60 < skew <= 90 degrees: cos skew = `lean`), its complement or straight.
-/// Steps of the grid are between `smallest` and `smallest` + 1, some a twentieth of that if `graded`.
+/// A random complex on an uneven, skewed grid: some of its edges as segments, some vertices alone.
+/// Every two segments at a vertex are at the angle of the skew (60 < skew <= 90 degrees: cos skew =
+/// `lean`), its complement or straight. Steps of the grid are between `smallest` and `smallest` +
+/// 1, some a twentieth of that if `graded`.
 inline Complex random_grid(std::uint64_t seed, double lean, double smallest = 0.02,
                            bool graded = true) {
   Random random(seed);

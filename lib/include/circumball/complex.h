@@ -10,7 +10,8 @@
 
 namespace circumball {
 
-/// A planar polygonal face of a 3D complex: loops of vertices, hole points, segments and isolated vertices inside.
+/// A planar polygonal face of a 3D complex: loops of vertices, hole points, segments and isolated
+/// vertices inside.
 struct Face {
   std::vector<std::vector<std::uint32_t>> loops;
   std::vector<Point3> holes;
@@ -29,8 +30,8 @@ struct Region {
 enum class Domain : std::uint8_t {
   kDefault,  ///< the algorithm's own default (see AlgorithmInfo)
   kHull,     ///< the convex hull of the vertices as given
-  kBox,      ///< a bounding box, 3 times the size of the input, is added and everything in it is meshed
-  kClosed,   ///< what closed boundaries enclose, minus holes
+  kBox,  ///< a bounding box, 3 times the size of the input, is added and everything in it is meshed
+  kClosed,  ///< what closed boundaries enclose, minus holes
 };
 
 /// How a `closed` domain treats loops inside loops.
@@ -40,8 +41,8 @@ enum class HoleRule : std::uint8_t {
   kParity,  ///< nesting level: one loop deep is inside, two loops deep is a hole, three inside, …
 };
 
-/// The input: a piecewise linear complex (thesis, Definitions 2.1.3 and 2.1.4). Plain data; `check` says whether
-/// it is valid. Indices are 0-based.
+/// The input: a piecewise linear complex (thesis, Definitions 2.1.3 and 2.1.4). Plain data; `check`
+/// says whether it is valid. Indices are 0-based.
 struct Complex {
   int dimension = 2;
   std::vector<Point3> vertices;
@@ -58,18 +59,26 @@ struct Complex {
   std::vector<double> vertex_attributes;
 };
 
-/// Everything that is wrong with a complex, and warnings; all of it, not the first. Empty for a valid complex.
+/// Everything that is wrong with a complex, and warnings; all of it, not the first. Empty for a
+/// valid complex.
 ///
-/// Defects (2D): "not-finite", "magnitude" (outside 0 or 1e-45 … 1e55), "index-out-of-range", "zero-length-segment",
-/// "duplicate-vertices" (equal bits), "duplicate-segments" (warning; the second is ignored), "vertex-on-segment",
-/// "segments-cross", "segments-overlap", "too-few-vertices", "hole-outside" and "region-outside" (warnings),
-/// "near-duplicate-vertices" (warning: closer than 1e-9 of the diameter).
-/// Exact: crossing, containment and overlap are decided with exact predicates. O((n + k) log n) on ordinary input.
-/// At most `max_defects` of each name are listed; a last one then counts the rest.
+/// Defects (2D): "not-finite", "magnitude" (outside 0 or 1e-45 … 1e55), "index-out-of-range",
+/// "zero-length-segment", "duplicate-vertices" (equal bits), "duplicate-segments" (warning; the
+/// second is ignored), "vertex-on-segment", "segments-cross", "segments-overlap",
+/// "too-few-vertices", "hole-outside" and "region-outside" (warnings), "near-duplicate-vertices"
+/// (warning: closer than 1e-9 of the diameter). Exact: crossing, containment and overlap are
+/// decided with exact predicates. O((n + k) log n) on ordinary input. At most `max_defects` of each
+/// name are listed; a last one then counts the rest.
 std::vector<Defect> check(const Complex& complex, std::size_t max_defects = 1000);
 
-/// Smallest angle in degrees between two input segments that share a vertex; 180 if there is none (2D).
+/// Smallest angle in degrees between two input segments that share a vertex; 180 if there is none
+/// (2D).
 double smallest_angle_degrees(const Complex& complex);
+
+/// The complex with a square box of four segments around it (2D), `scale` times the larger extent
+/// of the input and centered on it; its vertices and segments come last. The domain `box` is this,
+/// with scale 3.
+Complex with_box(const Complex& complex, double scale);
 
 }  // namespace circumball
 

@@ -13,14 +13,17 @@
 /// Reading complexes and meshes, writing meshes and complexes. Bytes in, bytes out: no file system.
 namespace circumball {
 
-/// Gives the bytes of a file beside the one that is read (".poly" without vertices wants its ".node"), or nothing.
+/// Gives the bytes of a file beside the one that is read (".poly" without vertices wants its
+/// ".node"), or nothing.
 using Sibling = std::function<std::optional<std::string>(const std::string& name)>;
 
 struct ReadResult {
-  std::string format;          ///< "triangle-poly", "triangle-node", "triangle-ele", "obj", "svg", "json", …
+  std::string
+      format;  ///< "triangle-poly", "triangle-node", "triangle-ele", "obj", "svg", "json", …
   Complex complex;
-  std::optional<Mesh> mesh;    ///< where the file holds one (.ele, JSON)
-  std::vector<Defect> defects; ///< why it cannot be read ("syntax", "truncated", "too-large", "unknown-format", …), and warnings; names the line
+  std::optional<Mesh> mesh;     ///< where the file holds one (.ele, JSON)
+  std::vector<Defect> defects;  ///< why it cannot be read ("syntax", "truncated", "too-large",
+                                ///< "unknown-format", …), and warnings; names the line
   bool ok() const {
     for (const Defect& d : defects)
       if (!d.warning) return false;
@@ -28,8 +31,8 @@ struct ReadResult {
   }
 };
 
-/// Reads whatever it is: formats are told by content; `name` (a file name) only settles ties and finds siblings.
-/// Sizes in headers are checked against the bytes there are before memory is taken.
+/// Reads whatever it is: formats are told by content; `name` (a file name) only settles ties and
+/// finds siblings. Sizes in headers are checked against the bytes there are before memory is taken.
 ReadResult read(std::string_view bytes, const std::string& name, const Sibling& sibling = nullptr);
 
 struct OutputFile {
@@ -39,11 +42,14 @@ struct OutputFile {
 struct WriteOptions {
   std::string msh_version = "4.1";
 };
-/// Writes a mesh in the format of an extension (".ele" or ".node" give the family). Empty and `error` set if it can't.
-std::vector<OutputFile> write_mesh(const Mesh& mesh, const Complex& complex, const std::string& extension,
-                                   const WriteOptions& options, std::string* error);
+/// Writes a mesh in the format of an extension (".ele" or ".node" give the family). Empty and
+/// `error` set if it can't.
+std::vector<OutputFile> write_mesh(const Mesh& mesh, const Complex& complex,
+                                   const std::string& extension, const WriteOptions& options,
+                                   std::string* error);
 /// Writes a complex (".poly", ".json", ".obj", ".svg").
-std::vector<OutputFile> write_complex(const Complex& complex, const std::string& extension, std::string* error);
+std::vector<OutputFile> write_complex(const Complex& complex, const std::string& extension,
+                                      std::string* error);
 /// Extensions that `write_mesh` knows, for a dimension.
 std::vector<std::string> mesh_extensions(int dimension);
 

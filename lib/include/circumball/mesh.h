@@ -22,25 +22,31 @@ struct MeshFacet {
   std::uint32_t face;
 };
 
-/// A simplicial mesh. Vertices are numbered: the input's in file order, then the box's, then Steiner vertices by
-/// birth. Vertices that no cell uses stay (see `compact`).
+/// A simplicial mesh. Vertices are numbered: the input's in file order, then the box's, then
+/// Steiner vertices by birth. Vertices that no cell uses stay (see `compact`).
 struct Mesh {
   int dimension = 2;
   std::uint32_t input_vertices = 0;  ///< how many of the vertices are the input's; 0 if unknown
   std::uint32_t box_vertices = 0;    ///< how many, after those, are the corners of the box
   std::vector<Point3> vertices;
-  /// (dimension + 1) vertex numbers for each cell, positively oriented (counter-clockwise in the plane).
+  /// (dimension + 1) vertex numbers for each cell, positively oriented (counter-clockwise in the
+  /// plane).
   std::vector<std::uint32_t> cells;
-  std::vector<double> cell_regions;       ///< empty, or one label for each cell (0: no region seed reached it)
-  std::vector<Feature> vertex_features;   ///< empty (somebody else's mesh), or the smallest feature of each vertex
-  std::vector<MeshEdge> edges;            ///< the subsegments
-  std::vector<MeshFacet> facets;          ///< 3D
+  std::vector<double>
+      cell_regions;  ///< empty, or one label for each cell (0: no region seed reached it)
+  std::vector<Feature>
+      vertex_features;  ///< empty (somebody else's mesh), or the smallest feature of each vertex
+  std::vector<MeshEdge> edges;               ///< the subsegments
+  std::vector<MeshFacet> facets;             ///< 3D
   std::vector<std::int32_t> vertex_markers;  ///< empty, or one for each vertex
   std::vector<std::int32_t> edge_markers;    ///< empty, or one for each of `edges`
   int attributes_per_vertex = 0;
-  std::vector<double> vertex_attributes;     ///< attributes of the input vertices; Steiner vertices: interpolated on segments, else 0
+  std::vector<double> vertex_attributes;  ///< attributes of the input vertices; Steiner vertices:
+                                          ///< interpolated on segments, else 0
 
-  std::size_t cell_count() const { return cells.size() / (static_cast<std::size_t>(dimension) + 1); }
+  std::size_t cell_count() const {
+    return cells.size() / (static_cast<std::size_t>(dimension) + 1);
+  }
   const std::uint32_t* cell(std::size_t i) const {
     return cells.data() + i * (static_cast<std::size_t>(dimension) + 1);
   }

@@ -24,10 +24,11 @@ struct Limits {
 };
 
 struct Options {
-  std::string algorithm;            ///< id of the registry; empty: the default for the input (cli.md)
-  std::optional<double> tau;        ///< radius-edge threshold; default: from min_angle_degrees
+  std::string algorithm;      ///< id of the registry; empty: the default for the input (cli.md)
+  std::optional<double> tau;  ///< radius-edge threshold; default: from min_angle_degrees
   std::optional<double> min_angle_degrees;  ///< in the plane: tau = 1 / (2 sin). Default 20.7
-  std::string size;                 ///< upper bound on the circumradius: a number, or an expression in x, y; empty: none
+  std::string
+      size;  ///< upper bound on the circumradius: a number, or an expression in x, y; empty: none
   Domain domain = Domain::kDefault;
   Limits limits;
   std::map<std::string, std::string> parameters;  ///< any other that the registry lists
@@ -56,18 +57,22 @@ struct Progress {
   double seconds = 0;
 };
 
-/// One run of one algorithm on one complex; it can be advanced by steps, stopped, watched and asked for its mesh at
-/// any moment. Never throws on input.
+/// One run of one algorithm on one complex; it can be advanced by steps, stopped, watched and asked
+/// for its mesh at any moment. Never throws on input.
 class Run {
  public:
-  /// Checks complex and options. On failure returns null and fills `defects` (input) or `error` (options).
-  static std::unique_ptr<Run> create(const Complex& complex, const Options& options, TraceSink* sink,
-                                     std::vector<Defect>* defects, std::string* error);
+  /// Checks complex and options. On failure returns null and fills `defects` (input) or `error`
+  /// (options).
+  static std::unique_ptr<Run> create(const Complex& complex, const Options& options,
+                                     TraceSink* sink, std::vector<Defect>* defects,
+                                     std::string* error);
   ~Run();
 
-  /// Performs up to `iterations` iterations of the loop (0: until the end), and at most about `seconds` (0: no bound).
+  /// Performs up to `iterations` iterations of the loop (0: until the end), and at most about
+  /// `seconds` (0: no bound).
   Status advance(std::uint64_t iterations = 0, double seconds = 0);
-  /// May be called from another thread or a signal handler; the next iteration ends the run with kCancelled.
+  /// May be called from another thread or a signal handler; the next iteration ends the run with
+  /// kCancelled.
   void cancel();
 
   Status status() const;

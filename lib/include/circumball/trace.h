@@ -9,46 +9,53 @@
 
 #include "circumball/types.h"
 
-/// The trace: everything that a run did, and why. Replaying it rebuilds the mesh exactly, forwards and backwards.
+/// The trace: everything that a run did, and why. Replaying it rebuilds the mesh exactly, forwards
+/// and backwards.
 namespace circumball {
 
 enum class EventKind : std::uint8_t {
-  kStepBegan = 0,   ///< `step` begins
-  kStepEnded = 1,   ///< `subject` vertices inserted, `other[0]` refusals in the step
-  kQueued = 2,      ///< `simplex` became unacceptable: `reason`, witness `subject`, `value`
-  kDropped = 3,     ///< `simplex` was popped, and dropped: kDied or kAcceptable. Triangles that die leave the queue without an event
-  kRefused = 4,     ///< `simplex` was popped, and is not safe to split: `reason`; `at` is the refused point
-  kYielded = 5,     ///< `simplex` proposed `at`, which encroaches subsegment `other` (input segment `subject`): that is queued, `simplex` goes back
-  kInserted = 6,    ///< vertex `subject` inserted at `at`, splitting `simplex` (popped): died[other[0]], born[other[1]] follow in the simplex stream; `value` is the insertion radius
-  kRelabeled = 7,   ///< triangles got a new domain label: as kInserted, but without a vertex
-  kLimit = 8,       ///< a limit stopped the run: `reason`
+  kStepBegan = 0,  ///< `step` begins
+  kStepEnded = 1,  ///< `subject` vertices inserted, `other[0]` refusals in the step
+  kQueued = 2,     ///< `simplex` became unacceptable: `reason`, witness `subject`, `value`
+  kDropped = 3,    ///< `simplex` was popped, and dropped: kDied or kAcceptable. Triangles that die
+                   ///< leave the queue without an event
+  kRefused =
+      4,  ///< `simplex` was popped, and is not safe to split: `reason`; `at` is the refused point
+  kYielded = 5,  ///< `simplex` proposed `at`, which encroaches subsegment `other` (input segment
+                 ///< `subject`): that is queued, `simplex` goes back
+  kInserted =
+      6,  ///< vertex `subject` inserted at `at`, splitting `simplex` (popped): died[other[0]],
+          ///< born[other[1]] follow in the simplex stream; `value` is the insertion radius
+  kRelabeled = 7,  ///< triangles got a new domain label: as kInserted, but without a vertex
+  kLimit = 8,      ///< a limit stopped the run: `reason`
 };
 
 /// Why: one list for all kinds of events.
 enum class Reason : std::uint8_t {
   kNone = 0,
   // why a simplex is unacceptable
-  kEncroached = 1,    ///< `subject` lies in the diametral ball
-  kMissing = 2,       ///< the subsegment is not an edge of the Delaunay triangulation
-  kRadiusEdge = 3,    ///< `value` = circumradius / shortest edge > tau
-  kSize = 4,          ///< `value` = circumradius > size bound
-  kRegionSize = 5,    ///< `value` = area > the bound of its region
-  kTooLong = 6,       ///< the subsegment is longer than the algorithm allows: `value` = length
-  kYieldedTo = 7,     ///< a circumcentre yielded to it
-  kReturned = 8,      ///< its circumcentre yielded: it waits for that split at the head of the queue
+  kEncroached = 1,  ///< `subject` lies in the diametral ball
+  kMissing = 2,     ///< the subsegment is not an edge of the Delaunay triangulation
+  kRadiusEdge = 3,  ///< `value` = circumradius / shortest edge > tau
+  kSize = 4,        ///< `value` = circumradius > size bound
+  kRegionSize = 5,  ///< `value` = area > the bound of its region
+  kTooLong = 6,     ///< the subsegment is longer than the algorithm allows: `value` = length
+  kYieldedTo = 7,   ///< a circumcentre yielded to it
+  kReturned = 8,    ///< its circumcentre yielded: it waits for that split at the head of the queue
   // where a vertex was inserted
-  kInput = 16,        ///< an input vertex (step 0)
-  kBox = 17,          ///< a corner of the box
-  kMidpoint = 18,     ///< midpoint of a subsegment
-  kCircumcenter = 19, ///< circumcentre of a triangle
-  kOffCenter = 20,    ///< off-centre of a triangle
-  kDivision = 21,     ///< one of the points that divide a segment into equal parts
+  kInput = 16,         ///< an input vertex (step 0)
+  kBox = 17,           ///< a corner of the box
+  kMidpoint = 18,      ///< midpoint of a subsegment
+  kCircumcenter = 19,  ///< circumcentre of a triangle
+  kOffCenter = 20,     ///< off-centre of a triangle
+  kDivision = 21,      ///< one of the points that divide a segment into equal parts
   // why a simplex was refused
   kOutsideDomain = 32,  ///< its circumcentre lies outside what is meshed
   kProtected = 33,      ///< only protected simplices are in the way
   kMinEdge = 34,        ///< it would make an edge shorter than --min-edge
-  kPrecision = 35,      ///< the new vertex would coincide with another one, or leave its segment, in double precision
-  kFrozen = 36,         ///< it would yield to a subsegment that was refused itself
+  kPrecision = 35,  ///< the new vertex would coincide with another one, or leave its segment, in
+                    ///< double precision
+  kFrozen = 36,     ///< it would yield to a subsegment that was refused itself
   // why a simplex was dropped
   kDied = 48,
   kAcceptable = 49,
@@ -64,10 +71,12 @@ enum class Reason : std::uint8_t {
 /// One event: 64 bytes, little-endian on every platform that we build for.
 struct Event {
   EventKind kind = EventKind::kStepBegan;
-  std::uint8_t dimension = 0;   ///< of `simplex`: 0 vertex, 1 subsegment, 2 triangle, 3 tetrahedron
+  std::uint8_t dimension = 0;  ///< of `simplex`: 0 vertex, 1 subsegment, 2 triangle, 3 tetrahedron
   Reason reason = Reason::kNone;
-  std::uint8_t step = 0;        ///< index into Trace::steps
-  std::uint32_t simplex[4] = {kNoIndex, kNoIndex, kNoIndex, kNoIndex};  ///< vertices; a subsegment has its input segment in simplex[3]
+  std::uint8_t step = 0;  ///< index into Trace::steps
+  std::uint32_t simplex[4] = {
+      kNoIndex, kNoIndex, kNoIndex,
+      kNoIndex};  ///< vertices; a subsegment has its input segment in simplex[3]
   std::uint32_t subject = kNoIndex;
   std::uint32_t other[2] = {kNoIndex, kNoIndex};
   double at[3] = {0, 0, 0};
@@ -79,42 +88,47 @@ static_assert(sizeof(Event) == 64, "events are fixed-size records");
 class TraceSink {
  public:
   virtual ~TraceSink() = default;
-  /// One event. For kInserted and kRelabeled, `simplices` holds the dead, then the born: (dimension + 2) numbers each,
-  /// the vertices (counter-clockwise) and the domain label (0 unknown, 1 inside, 2 outside). Simplices at infinity are left out.
+  /// One event. For kInserted and kRelabeled, `simplices` holds the dead, then the born: (dimension
+  /// + 2) numbers each, the vertices (counter-clockwise) and the domain label (0 unknown, 1 inside,
+  /// 2 outside). Simplices at infinity are left out.
   virtual void event(const Event& event, const std::uint32_t* simplices, std::size_t count) = 0;
 };
 
 /// A recorded trace, in memory.
 struct Trace final : TraceSink {
   int dimension = 2;
-  std::vector<std::string> steps;           ///< names of the steps, by Event::step
+  std::vector<std::string> steps;  ///< names of the steps, by Event::step
   std::vector<Event> events;
-  std::vector<std::uint32_t> simplices;     ///< the simplex stream: (dimension + 2) numbers a simplex
+  std::vector<std::uint32_t> simplices;  ///< the simplex stream: (dimension + 2) numbers a simplex
   void event(const Event& e, const std::uint32_t* simplices, std::size_t count) override;
 };
 
-/// Binary form of a trace ("circumball-trace 1"), and back. `trace_from_bytes` fails with a sentence in `error`.
+/// Binary form of a trace ("circumball-trace 1"), and back. `trace_from_bytes` fails with a
+/// sentence in `error`.
 std::string to_bytes(const Trace& trace);
 bool trace_from_bytes(const std::string& bytes, Trace* trace, std::string* error);
 /// One JSON object a line.
 std::string to_jsonl(const Trace& trace);
-/// The sentence of an event, as the page shows it: what happened and why, in the words of the four rules.
+/// The sentence of an event, as the page shows it: what happened and why, in the words of the four
+/// rules.
 std::string describe(const Event& event, const std::vector<std::string>& steps);
 /// Names of the enumerators, kebab-case ("radius-edge").
 const char* name(EventKind kind);
 const char* name(Reason reason);
 
-/// Rebuilds the state of a run from its trace, forwards and backwards. The trace must outlive it, and come from a run
-/// or from `trace_from_bytes`. A step costs O(k log n) for k dead and born cells.
+/// Rebuilds the state of a run from its trace, forwards and backwards. The trace must outlive it,
+/// and come from a run or from `trace_from_bytes`. A step costs O(k log n) for k dead and born
+/// cells.
 class Replay {
  public:
   explicit Replay(const Trace& trace);
   ~Replay();
   std::size_t position() const { return position_; }  ///< events applied
-  bool forward();   ///< applies the next event; false at the end
+  bool forward();                                     ///< applies the next event; false at the end
   bool backward();  ///< takes the last one back; false at the start
   void seek(std::size_t position);
-  /// The live cells, (dimension + 2) numbers each as recorded (vertices, domain label), sorted by their vertices.
+  /// The live cells, (dimension + 2) numbers each as recorded (vertices, domain label), sorted by
+  /// their vertices.
   std::vector<std::uint32_t> cells() const;
   /// The vertices inserted so far, by number.
   const std::map<std::uint32_t, Point3>& vertices() const { return vertices_; }

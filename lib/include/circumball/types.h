@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-/// The small types that everything shares: points, typed indices, references to input features, and defects.
+/// The small types that everything shares: points, typed indices, references to input features, and
+/// defects.
 namespace circumball {
 
 /// A point of the plane. Coordinates are finite doubles, zero or of magnitude 1e-45 to 1e55.
@@ -42,7 +43,8 @@ struct Id {
   friend constexpr bool operator<(Id a, Id b) { return a.value < b.value; }
 };
 
-using VertexId = Id<struct VertexTag>;    ///< a vertex of a complex, of its refinement, and of the mesh
+using VertexId =
+    Id<struct VertexTag>;  ///< a vertex of a complex, of its refinement, and of the mesh
 using SegmentId = Id<struct SegmentTag>;  ///< an input segment
 using FaceId = Id<struct FaceTag>;        ///< an input face (3D)
 using CellId = Id<struct CellTag>;        ///< a triangle (2D) or tetrahedron (3D) of a mesh
@@ -59,13 +61,14 @@ struct Feature {
   }
 };
 
-/// Something wrong (or, as a warning, remarkable) in an input: a name, where, which features, and what to do.
+/// Something wrong (or, as a warning, remarkable) in an input: a name, where, which features, and
+/// what to do.
 struct Defect {
-  std::string name;               ///< stable, kebab-case: "segments-cross", "duplicate-vertices", …
+  std::string name;  ///< stable, kebab-case: "segments-cross", "duplicate-vertices", …
   std::vector<Feature> features;  ///< the input features involved, 0-based
-  std::vector<Point3> at;         ///< coordinates of the place or of the features' ends; may be empty
-  std::string message;            ///< one sentence for a person, with numbers, saying what to do
-  bool warning = false;           ///< a warning does not make the complex invalid
+  std::vector<Point3> at;  ///< coordinates of the place or of the features' ends; may be empty
+  std::string message;     ///< one sentence for a person, with numbers, saying what to do
+  bool warning = false;    ///< a warning does not make the complex invalid
 };
 
 }  // namespace circumball

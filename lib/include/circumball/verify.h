@@ -8,7 +8,8 @@
 #include "circumball/complex.h"
 #include "circumball/mesh.h"
 
-/// Verification of a mesh against its complex, whoever made it. Shares no code with the mesher but the predicates.
+/// Verification of a mesh against its complex, whoever made it. Shares no code with the mesher but
+/// the predicates.
 namespace circumball {
 
 struct VerifyOptions {
@@ -16,27 +17,30 @@ struct VerifyOptions {
   std::optional<double> size;       ///< circumradius bound to check
   std::string domain = "closed";    ///< "hull", "box" or "closed": what the mesh should cover
   std::vector<std::string> checks;  ///< which; empty: all that apply
-  /// Cells (sorted vertex numbers) that the run reported as rightly refused: not counted by the quality checks.
+  /// Cells (sorted vertex numbers) that the run reported as rightly refused: not counted by the
+  /// quality checks.
   std::vector<std::vector<std::uint32_t>> excused;
 };
 
 struct Check {
-  std::string name;                ///< "delaunay", "topology", …
+  std::string name;  ///< "delaunay", "topology", …
   bool ok = false;
-  std::string detail;              ///< one sentence: what was checked, and the worst offender with its vertices
+  std::string detail;  ///< one sentence: what was checked, and the worst offender with its vertices
   std::optional<double> bound, observed;
   std::vector<std::uint32_t> worst;  ///< vertices of the worst offender; may be empty
 };
 
 /// Runs the checks, in this order. Names:
-/// "topology" (cells positively oriented, at most two at an edge, vertices manifold or on the boundary, indices in range),
-/// "delaunay" (every edge between two cells locally Delaunay, and with it all of it; for hull and box the cells also tile the convex hull),
-/// "input-vertices" (every input vertex is the mesh vertex of its number, bit for bit; on other meshes: found by coordinates),
-/// "input-segments" (every input segment is a union of edges of the mesh, in order, without gap or overlap),
-/// "area" (areas of the cells add up to the domain's area, from exact signed areas of loops, relative 1e-9),
-/// "radius-edge" (every cell has circumradius / shortest edge <= tau, with the rounding error of the measurement as slack),
-/// "min-angle" (chew: >= 30 degrees), "size" (circumradius <= size),
-/// "nearest-neighbor" (Theorem 2.3: N(q0) <= sqrt 2 lfs(q0) for each input vertex; lfs by brute force).
+/// "topology" (cells positively oriented, at most two at an edge, vertices manifold or on the
+/// boundary, indices in range), "delaunay" (every edge between two cells locally Delaunay, and with
+/// it all of it; for hull and box the cells also tile the convex hull), "input-vertices" (every
+/// input vertex is the mesh vertex of its number, bit for bit; on other meshes: found by
+/// coordinates), "input-segments" (every input segment is a union of edges of the mesh, in order,
+/// without gap or overlap), "area" (areas of the cells add up to the domain's area, from exact
+/// signed areas of loops, relative 1e-9), "radius-edge" (every cell has circumradius / shortest
+/// edge <= tau, with the rounding error of the measurement as slack), "min-angle" (chew: >= 30
+/// degrees), "size" (circumradius <= size), "nearest-neighbor" (Theorem 2.3: N(q0) <= sqrt 2
+/// lfs(q0) for each input vertex; lfs by brute force).
 std::vector<Check> verify(const Mesh& mesh, const Complex& complex, const VerifyOptions& options);
 
 /// Measures of a mesh, for the report.

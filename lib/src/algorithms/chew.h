@@ -6,8 +6,9 @@
 
 namespace circumball {
 
-/// Makes every subsegment an edge of the triangulation, and no more. Chew's algorithm keeps a constrained Delaunay
-/// triangulation; ours is Delaunay, so what is no edge of it is bisected. On input that suits the algorithm nothing is.
+/// Makes every subsegment an edge of the triangulation, and no more. Chew's algorithm keeps a
+/// constrained Delaunay triangulation; ours is Delaunay, so what is no edge of it is bisected. On
+/// input that suits the algorithm nothing is.
 struct Recover {
   static constexpr bool kTriangles = false;
   using Triangles = TrianglesByBirth;
@@ -22,12 +23,12 @@ struct Recover {
   Proposal action(const View&, TriangleRef) const { return {}; }
 };
 
-/// Chew's first algorithm: thesis Algorithm 7.2; Chew 1989. The input segments are divided into pieces between h and
-/// sqrt(3) h first.
+/// Chew's first algorithm: thesis Algorithm 7.2; Chew 1989. The input segments are divided into
+/// pieces between h and sqrt(3) h first.
 ///
-/// Every vertex is inserted farther than h from all others, so it ends for every input. Where all vertices and pieces
-/// were at least h apart to begin with, no edge is shorter than h and no circumradius is larger: all angles are at
-/// least 30 degrees.
+/// Every vertex is inserted farther than h from all others, so it ends for every input. Where all
+/// vertices and pieces were at least h apart to begin with, no edge is shorter than h and no
+/// circumradius is larger: all angles are at least 30 degrees.
 struct Chew : Recover {
   static constexpr bool kTriangles = true;
 
@@ -45,8 +46,9 @@ struct Chew : Recover {
   }
 
   using Recover::action;
-  /// Action: insert the circumcenter of a triangle. Where it lies outside the domain, or would take a subsegment out of
-  /// the triangulation, the input does not suit the algorithm (its pieces are not as asked): refused.
+  /// Action: insert the circumcenter of a triangle. Where it lies outside the domain, or would take
+  /// a subsegment out of the triangulation, the input does not suit the algorithm (its pieces are
+  /// not as asked): refused.
   Proposal action(View& view, TriangleRef t) const {
     Point2 c = view.circumcenter(t);
     switch (view.look(c, t)) {

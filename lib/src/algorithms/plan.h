@@ -18,7 +18,8 @@ struct Settings {
   double size = 0;  ///< bound on the circumradius; 0: none
 };
 
-/// The steps of an algorithm, in order: the driver is this list. Step names are the thesis' where it names them.
+/// The steps of an algorithm, in order: the driver is this list. Step names are the thesis' where
+/// it names them.
 std::vector<std::unique_ptr<Stage>> plan(const Settings& settings);
 
 }  // namespace circumball

@@ -29,7 +29,8 @@ std::vector<AlgorithmInfo> make_registry() {
   delaunay.safety = "It is safe to insert any vertex.";
   delaunay.parameters = {box};
   delaunay.guarantee =
-      "The circumdisk of every triangle is empty; exactly, whatever the input. Segments are not enforced.";
+      "The circumdisk of every triangle is empty; exactly, whatever the input. Segments are not "
+      "enforced.";
   delaunay.checks = {"topology", "delaunay", "input-vertices"};
   delaunay.default_domain = "hull";
 
@@ -64,11 +65,11 @@ std::vector<AlgorithmInfo> make_registry() {
       "Triangles are prioritized by circumradius, larger circumradii are processed first.";
   chew.unacceptability = "A triangle $t$ is unacceptable if $R_t > h$.";
   chew.safety = "It is safe to split any simplex.";
-  chew.parameters = {
-      {"size", "0", "0", "1e55",
-       "h: segments are divided to between h and sqrt 3 h, triangles split while their circumradius "
-       "exceeds h; 0: half the smallest distance between input vertices"},
-      box};
+  chew.parameters = {{"size", "0", "0", "1e55",
+                      "h: segments are divided to between h and sqrt 3 h, triangles split while "
+                      "their circumradius "
+                      "exceeds h; 0: half the smallest distance between input vertices"},
+                     box};
   chew.guarantee =
       "It always ends. Where input vertices are at least $h$ apart, segments divide into pieces "
       "between $h$ and $\\sqrt 3\\,h$, and these are Delaunay edges, every angle is at least "
@@ -103,7 +104,8 @@ const AlgorithmInfo* find_algorithm(const std::string& id, int dimension) {
 }
 
 std::string default_algorithm(const Complex& complex) {
-  // Below 60 degrees nothing is proved of Ruppert's algorithm; a protection comes first where there is one.
+  // Below 60 degrees nothing is proved of Ruppert's algorithm; a protection comes first where there
+  // is one.
   const char* protection = "collar";
   if (complex.dimension == 2 && (smallest_angle_degrees(complex) >= 60 ||
                                  find_algorithm(protection, complex.dimension) == nullptr)) {

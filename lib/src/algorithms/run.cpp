@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 
 #include "algorithms/plan.h"
@@ -84,12 +85,19 @@ std::string settle(const Complex& complex, Options* options, Settings* settings)
                                                      : Domain::kBox;
   }
   if (options->domain == Domain::kClosed && !encloses) {
-    return "the segments enclose nothing, so that the domain `closed` is empty: use `box` or `hull`";
+    return "the segments enclose nothing, so that the domain `closed` is empty: use `box` or "
+           "`hull`";
   }
   settings->domain = options->domain;
   if (info->id == "chew" && settings->size == 0) {
     settings->size = default_division_length(complex);
     if (!std::isfinite(settings->size)) settings->size = 1;  // a single vertex
+  }
+  options->size.clear();
+  if (settings->size > 0) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.17g", settings->size);
+    values["size"] = options->size = text;
   }
   return "";
 }

@@ -1,13 +1,13 @@
 #ifndef CIRCUMBALL_ALGORITHMS_RUPPERT_H_
 #define CIRCUMBALL_ALGORITHMS_RUPPERT_H_
 
-#include "refinement/view.h"
 #include "refinement/queue.h"
+#include "refinement/view.h"
 
 namespace circumball {
 
-/// The part of Ruppert's algorithm that is about subsegments alone: after it, the triangulation conforms.
-/// Subsegments have priority over triangles, so that running this first changes nothing.
+/// The part of Ruppert's algorithm that is about subsegments alone: after it, the triangulation
+/// conforms. Subsegments have priority over triangles, so that running this first changes nothing.
 struct Conform {
   static constexpr bool kTriangles = false;
 
@@ -34,9 +34,10 @@ struct Conform {
 
 /// Ruppert's algorithm: thesis Algorithm 2.3 (and 2.1); Ruppert 1995.
 ///
-/// Ends for input angles of 60 degrees and more and tau > sqrt 2; then the mesh conforms, RE(t) <= tau, and it is
-/// graded to the local feature size (Theorems 2.2 and 2.3). `size` and the area bounds of regions only add triangles
-/// to split: their circumcentres are farther from every vertex than the bound asks for.
+/// Ends for input angles of 60 degrees and more and tau > sqrt 2; then the mesh conforms, RE(t) <=
+/// tau, and it is graded to the local feature size (Theorems 2.2 and 2.3). `size` and the area
+/// bounds of regions only add triangles to split: their circumcentres are farther from every vertex
+/// than the bound asks for.
 struct Ruppert : Conform {
   static constexpr bool kTriangles = true;
 
@@ -63,8 +64,8 @@ struct Ruppert : Conform {
   }
 
   using Conform::action;
-  /// Action: if a triangle's circumcenter encroaches upon a segment, the encroached segment is added to the queue.
-  /// Otherwise its circumcenter is inserted.
+  /// Action: if a triangle's circumcenter encroaches upon a segment, the encroached segment is
+  /// added to the queue. Otherwise its circumcenter is inserted.
   Proposal action(View& view, TriangleRef t) const {
     Point2 c = view.circumcenter(t);
     switch (view.look(c, t)) {

@@ -15,11 +15,16 @@ class InsertVertices final : public Stage {
 
   bool advance(Workspace& w, Budget&) override {
     Delaunay2& dt = w.live.triangulation();
-    dt.insert_batch(0, dt.vertex_count(), [&](VertexId v) {
-      ++w.inserted;
-      if (!w.recorder.on()) return;
-      w.recorder.inserted(w.recorder.insertion(Reason::kInput), v, 0);
-    });
+    const std::uint32_t count = dt.vertex_count();
+    dt.reserve(2 * count);
+    if (w.recorder.on()) {
+      dt.insert_batch(0, count, [&](VertexId v) {
+        w.recorder.inserted(w.recorder.insertion(Reason::kInput), v, 0);
+      });
+    } else {
+      dt.insert_batch(0, count, nullptr);  // the faster way
+    }
+    w.inserted = count;
     w.live.create_subsegments();
     return true;
   }
@@ -103,7 +108,7 @@ std::unique_ptr<Stage> divide_segments(double h) { return std::make_unique<Divid
 double default_division_length(const Complex& complex) {
   Delaunay2 dt;
   for (const Point3& p : complex.vertices) dt.add_vertex(xy(p));
-  dt.insert_batch(0, dt.vertex_count(), [](VertexId) {});
+  dt.insert_batch(0, dt.vertex_count(), nullptr);
   double shortest2 = HUGE_VAL;
   // A nearest neighbour is a Delaunay neighbour, so the closest pair is an edge.
   for (std::uint32_t i = 0; i < dt.vertex_count(); ++i) {

@@ -6,8 +6,8 @@
 
 namespace circumball {
 
-/// The mesh as it stands, restricted to the domain. Where the domain is not known yet (a run that was stopped before its
-/// boundary conformed) it is found on a copy. O(n).
+/// The mesh as it stands, restricted to the domain. Where the domain is not known yet (a run that
+/// was stopped before its boundary conformed) it is found on a copy. O(n).
 Mesh export_mesh(Live2* live, std::uint32_t input_vertices);
 
 }  // namespace circumball

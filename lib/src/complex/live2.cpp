@@ -67,8 +67,8 @@ std::array<SubsegmentId, 2> Live2::split(SubsegmentId s, VertexId m) {
   subsegments_.push_back(second);
   tag_edge(left);
   tag_edge(right);
-  // m is rounded: where another vertex is as near to the subsegment as m, the old edge may have stayed. The triangle
-  // between it and m is on the far side of the new subsegments then.
+  // m is rounded: where another vertex is as near to the subsegment as m, the old edge may have
+  // stayed. The triangle between it and m is on the far side of the new subsegments then.
   if (const HalfEdge h = triangulation_.find_edge(first.a, second.b); h != kNone) {
     triangulation_.set_tag(h, kNone);
     const HalfEdge other = triangulation_.twin(h);
@@ -101,8 +101,7 @@ void Live2::mark_crossed(SubsegmentId s, std::vector<std::uint8_t>* crossed) con
         if (p == to || q == to) return;
         const Sign right = orient2d(a, b, dt.point(p)), left = orient2d(a, b, dt.point(q));
         const Point2& pp = dt.point(p);
-        if (right == Sign::kZero &&
-            (pp.x - a.x) * (b.x - a.x) + (pp.y - a.y) * (b.y - a.y) > 0) {
+        if (right == Sign::kZero && (pp.x - a.x) * (b.x - a.x) + (pp.y - a.y) * (b.y - a.y) > 0) {
           onto = p;
         } else if (right == Sign::kNegative && left == Sign::kPositive) {
           exit = 4 * t + i;
@@ -128,7 +127,8 @@ void Live2::mark_crossed(SubsegmentId s, std::vector<std::uint8_t>* crossed) con
         from = w;
         break;
       }
-      // `entry` runs from the left end of `exit` to its right end; leave between w and the end on w's other side.
+      // `entry` runs from the left end of `exit` to its right end; leave between w and the end on
+      // w's other side.
       const unsigned i = entry % 4;
       exit = 4 * next + (side == Sign::kPositive ? (i + 1) % 3 : (i + 2) % 3);
       const VertexId o = dt.origin(exit), d = dt.target(exit);
@@ -257,7 +257,8 @@ bool Live2::in_domain(TriangleId t) {
     relabel(t, kUnknown, kInside);
     return true;
   }
-  // Flood the triangles that lost their label until one is met that has it: they are one piece of the domain.
+  // Flood the triangles that lost their label until one is met that has it: they are one piece of
+  // the domain.
   std::uint32_t label = kUnknown;
   std::vector<TriangleId> piece{t};
   dt.set_label(t, kVisited);
@@ -321,7 +322,8 @@ Complex with_box(const Complex& complex, double scale) {
 }
 
 bool encloses_something(const Complex& complex) {
-  // A graph without a cycle is a forest: joining the ends of a segment that are joined already closes a loop.
+  // A graph without a cycle is a forest: joining the ends of a segment that are joined already
+  // closes a loop.
   std::vector<std::uint32_t> parent(complex.vertices.size());
   for (std::uint32_t i = 0; i < parent.size(); ++i) parent[i] = i;
   const auto root = [&](std::uint32_t v) {

@@ -6,18 +6,19 @@
 #include <utility>
 #include <vector>
 
-#include "circumball/mesh.h"
 #include "circumball/complex.h"
+#include "circumball/mesh.h"
 #include "delaunay/delaunay2.h"
 
 namespace circumball {
 
-/// A subsegment: its slot in Live2 is its identity, and the tag of its edge. Splitting ends it and makes two new ones.
+/// A subsegment: its slot in Live2 is its identity, and the tag of its edge. Splitting ends it and
+/// makes two new ones.
 using SubsegmentId = Id<struct SubsegmentTag>;
 
 struct Subsegment {
   VertexId a, b;
-  SegmentId segment;    ///< the input segment (of the complex with its box) that it lies on
+  SegmentId segment;  ///< the input segment (of the complex with its box) that it lies on
   bool alive = true;
   bool frozen = false;  ///< it was refused for good: nothing yields to it any more
 };
@@ -31,8 +32,8 @@ enum DomainLabel : std::uint32_t {
   kVisited = 0xfffffff0,  ///< during a local flood only
 };
 
-/// The live refinement C' = (P', S') of a 2D complex (thesis, Definition 2.1.3): the Delaunay triangulation of all its
-/// vertices, its subsegments, and which triangles belong to the domain.
+/// The live refinement C' = (P', S') of a 2D complex (thesis, Definition 2.1.3): the Delaunay
+/// triangulation of all its vertices, its subsegments, and which triangles belong to the domain.
 class Live2 {
  public:
   /// `complex` must be valid (see `check`) and outlive this. Nothing is inserted yet.
@@ -49,8 +50,9 @@ class Live2 {
   VertexId add_vertex(const Point2& p, Feature feature);
   void pop_vertex();
 
-  /// Inserts v into the cavity just probed, splitting the subsegment whose tag is `splitting`. Where the cavity swallowed
-  /// a subsegment, or held triangles that have no label, the new triangles have none either.
+  /// Inserts v into the cavity just probed, splitting the subsegment whose tag is `splitting`.
+  /// Where the cavity swallowed a subsegment, or held triangles that have no label, the new
+  /// triangles have none either.
   void commit(VertexId v, std::uint32_t splitting);
 
   // --- subsegments
@@ -62,7 +64,8 @@ class Live2 {
     const Subsegment& u = subsegments_[s.value];
     return triangulation_.find_edge(u.a, u.b);
   }
-  /// Makes a subsegment of every input segment; tags those that are edges. After the vertices are in.
+  /// Makes a subsegment of every input segment; tags those that are edges. After the vertices are
+  /// in.
   void create_subsegments();
   /// Tags its edge, where there is one. Returns whether there is.
   bool tag_edge(SubsegmentId s);
@@ -70,8 +73,9 @@ class Live2 {
   std::array<SubsegmentId, 2> split(SubsegmentId s, VertexId m);
 
   // --- domain
-  /// Labels every triangle by flooding from outside across untagged edges (levels: see HoleRule). Triangles that a
-  /// missing subsegment crosses are not flooded through; they belong to the domain if a neighbor does.
+  /// Labels every triangle by flooding from outside across untagged edges (levels: see HoleRule).
+  /// Triangles that a missing subsegment crosses are not flooded through; they belong to the domain
+  /// if a neighbor does.
   void classify();
   bool classified() const { return classified_; }
   /// Whether t is in the domain. Finds a lost label again by a local flood.
@@ -111,10 +115,6 @@ class Live2 {
   std::vector<Relabeled> relabeled_;
   std::vector<TriangleId> stack_;  // scratch of the local flood
 };
-
-/// The complex with a square box of four segments around it, `scale` times the larger extent of the input and centred on
-/// it; its vertices and segments come last.
-Complex with_box(const Complex& complex, double scale);
 
 /// Whether some segments form a closed loop.
 bool encloses_something(const Complex& complex);

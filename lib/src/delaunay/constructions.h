@@ -5,8 +5,9 @@
 
 #include "circumball/types.h"
 
-/// Points that refinement inserts, and the measures that decide which simplices it splits. All are rounded doubles made
-/// with + - * / and sqrt alone, so they are the same bits on every platform; each says its error.
+/// Points that refinement inserts, and the measures that decide which simplices it splits. All are
+/// rounded doubles made with + - * / and sqrt alone, so they are the same bits on every platform;
+/// each says its error.
 namespace circumball {
 
 inline double squared_distance(const Point2& a, const Point2& b) {
@@ -14,14 +15,17 @@ inline double squared_distance(const Point2& a, const Point2& b) {
   return dx * dx + dy * dy;
 }
 
-inline double distance(const Point2& a, const Point2& b) { return std::sqrt(squared_distance(a, b)); }
+inline double distance(const Point2& a, const Point2& b) {
+  return std::sqrt(squared_distance(a, b));
+}
 
 /// Midpoint of ab: each coordinate within half an ulp of (a + b) / 2; the same for ab and ba.
 inline Point2 midpoint(const Point2& a, const Point2& b) {
   return {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)};
 }
 
-/// The i-th of the points that divide ab into n equal parts; each coordinate within 2 ulp of the larger end's.
+/// The i-th of the points that divide ab into n equal parts; each coordinate within 2 ulp of the
+/// larger end's.
 inline Point2 division_point(const Point2& a, const Point2& b, unsigned i, unsigned n) {
   const double s = static_cast<double>(i) / n;
   return {a.x + s * (b.x - a.x), a.y + s * (b.y - a.y)};
@@ -32,8 +36,9 @@ struct TriangleShape {
   double shortest2, middle2, longest2;  ///< squared edge lengths
   double area4;                         ///< 4 times the area; <= 0 where rounding ate it
 
-  /// RE(t) > tau? With R = abc / 4A, RE^2 = (b^2 / 4A)(c^2 / 4A) for the two longer edges b, c: no overflow in the
-  /// range of coordinates. Relative error of the comparison below 1e-14 for triangles that are near the threshold.
+  /// RE(t) > tau? With R = abc / 4A, RE^2 = (b^2 / 4A)(c^2 / 4A) for the two longer edges b, c: no
+  /// overflow in the range of coordinates. Relative error of the comparison below 1e-14 for
+  /// triangles that are near the threshold.
   bool radius_edge_exceeds(double tau) const {
     const double bound = tau * area4;
     return area4 <= 0 || middle2 * longest2 > bound * bound;
@@ -69,8 +74,9 @@ inline TriangleShape shape_of(const Point2& a, const Point2& b, const Point2& c)
   return {p, q, r, 2 * cross};
 }
 
-/// Circumcentre of counter-clockwise abc, relative to a. Relative error about 1e-15 times the squared ratio of the
-/// circumradius to the shortest edge; `circumcenter_extended` is for triangles where that is not enough.
+/// Circumcentre of counter-clockwise abc, relative to a. Relative error about 1e-15 times the
+/// squared ratio of the circumradius to the shortest edge; `circumcenter_extended` is for triangles
+/// where that is not enough.
 inline Point2 circumcenter(const Point2& a, const Point2& b, const Point2& c) {
   const double bx = b.x - a.x, by = b.y - a.y, cx = c.x - a.x, cy = c.y - a.y;
   const double b2 = bx * bx + by * by, c2 = cx * cx + cy * cy;
@@ -78,8 +84,8 @@ inline Point2 circumcenter(const Point2& a, const Point2& b, const Point2& c) {
   return {a.x + (cy * b2 - by * c2) * d, a.y + (bx * c2 - cx * b2) * d};
 }
 
-/// The same in double-double arithmetic: relative error about 1e-31 times that ratio squared. Not finite for collinear
-/// points.
+/// The same in double-double arithmetic: relative error about 1e-31 times that ratio squared. Not
+/// finite for collinear points.
 Point2 circumcenter_extended(const Point2& a, const Point2& b, const Point2& c);
 
 }  // namespace circumball

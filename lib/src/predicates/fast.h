@@ -6,14 +6,11 @@
 #include "circumball/types.h"
 #include "predicates/counters.h"
 #include "predicates/double_bits.h"
+#include "predicates/pair.h"
 
-#if defined(__GNUC__)
+// Like the vectors of predicates/pair.h, these are extensions that GCC and Clang share.
 #define CIRCUMBALL_COLD __attribute__((cold, noinline))
 #define CIRCUMBALL_LIKELY(condition) __builtin_expect(static_cast<bool>(condition), 1)
-#else
-#define CIRCUMBALL_COLD
-#define CIRCUMBALL_LIKELY(condition) (condition)
-#endif
 
 /// Predicates for the kernels: the filter is inline, what follows it is not.
 ///
@@ -94,19 +91,20 @@ inline double orient2d_filtered(double ax, double ay, double bx, double by, doub
 }
 
 /// Sign of incircle(a, b, c, d).
-/// With A, B, C the squared distances of a, b, c from d: k = 10 (A: 4; the minor: 4; their product;
-/// one of two sums), and P <= AB + BC + CA, because |bx cy| + |by cx| <= |b| |c| <= (B + C) / 2 by
-/// Cauchy-Schwarz and the means.
+/// With A, B, C the squared distances of a, b, c from d: k = 10 (A: 4; a product of two
+/// differences: 3; their product; two sums), and P <= AB + BC + CA, because |bx cy| + |by cx| <=
+/// |b| |c| <= (B + C) / 2 by Cauchy-Schwarz and the means.
 inline double incircle_filtered(double ax, double ay, double bx, double by, double cx, double cy,
                                 double dx, double dy) {
-  const double adx = ax - dx, ady = ay - dy;
-  const double bdx = bx - dx, bdy = by - dy;
-  const double cdx = cx - dx, cdy = cy - dy;
-  const double a2 = adx * adx + ady * ady;
-  const double b2 = bdx * bdx + bdy * bdy;
-  const double c2 = cdx * cdx + cdy * cdy;
-  const double det =
-      a2 * (bdx * cdy - cdx * bdy) + b2 * (cdx * ady - adx * cdy) + c2 * (adx * bdy - bdx * ady);
+  using internal::both, internal::Pair, internal::swapped;
+  const Pair d = {dx, dy};
+  const Pair ad = Pair{ax, ay} - d, bd = Pair{bx, by} - d, cd = Pair{cx, cy} - d;
+  const Pair aa = ad * ad, bb = bd * bd, cc = cd * cd;
+  const double a2 = aa[0] + aa[1], b2 = bb[0] + bb[1], c2 = cc[0] + cc[1];
+  // The first and the second products of the three minors, apart until the end.
+  const Pair products =
+      both(a2) * (bd * swapped(cd)) + both(b2) * (cd * swapped(ad)) + both(c2) * (ad * swapped(bd));
+  const double det = products[0] - products[1];
   if (CIRCUMBALL_LIKELY(std::fabs(det) >= internal::kIncircleBound * (a2 * (b2 + c2) + b2 * c2))) {
     internal::count_filter(internal::Predicate::kIncircle);
     return det;
@@ -115,20 +113,20 @@ inline double incircle_filtered(double ax, double ay, double bx, double by, doub
 }
 
 /// Sign of orient3d(a, b, c, d).
-/// k = 7 (the minor: two differences, product, sum; a difference, product, one of two sums); P as
-/// it stands.
+/// k = 7 (a product of two differences: 3; a difference; their product; two sums); P as it stands.
 inline double orient3d_filtered(const Point3& a, const Point3& b, const Point3& c,
                                 const Point3& d) {
-  const double adx = a.x - d.x, ady = a.y - d.y, adz = a.z - d.z;
-  const double bdx = b.x - d.x, bdy = b.y - d.y, bdz = b.z - d.z;
-  const double cdx = c.x - d.x, cdy = c.y - d.y, cdz = c.z - d.z;
-  const double bc = bdx * cdy, cb = cdx * bdy;
-  const double ca = cdx * ady, ac = adx * cdy;
-  const double ab = adx * bdy, ba = bdx * ady;
-  const double det = adz * (bc - cb) + bdz * (ca - ac) + cdz * (ab - ba);
-  const double permanent = std::fabs(adz) * (std::fabs(bc) + std::fabs(cb)) +
-                           std::fabs(bdz) * (std::fabs(ca) + std::fabs(ac)) +
-                           std::fabs(cdz) * (std::fabs(ab) + std::fabs(ba));
+  using internal::absolute, internal::both, internal::Pair, internal::swapped;
+  const Pair dxy = {d.x, d.y};
+  const Pair ad = Pair{a.x, a.y} - dxy, bd = Pair{b.x, b.y} - dxy, cd = Pair{c.x, c.y} - dxy;
+  // The first and the second products of the three minors, apart until the end.
+  const Pair t = both(a.z - d.z) * (bd * swapped(cd));
+  const Pair u = both(b.z - d.z) * (cd * swapped(ad));
+  const Pair v = both(c.z - d.z) * (ad * swapped(bd));
+  const Pair products = t + u + v;
+  const Pair absolutes = absolute(t) + absolute(u) + absolute(v);
+  const double det = products[0] - products[1];
+  const double permanent = absolutes[0] + absolutes[1];
   if (CIRCUMBALL_LIKELY(std::fabs(det) >= internal::kOrient3dBound * permanent)) {
     internal::count_filter(internal::Predicate::kOrient3d);
     return det;
@@ -144,26 +142,29 @@ inline double orient3d_filtered(const Point3& a, const Point3& b, const Point3& 
 /// the inequality of the means; 15.5 * 0.1444 < 2.3.
 inline double insphere_filtered(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
                                 const Point3& e) {
-  const double aex = a.x - e.x, aey = a.y - e.y, aez = a.z - e.z;
-  const double bex = b.x - e.x, bey = b.y - e.y, bez = b.z - e.z;
-  const double cex = c.x - e.x, cey = c.y - e.y, cez = c.z - e.z;
-  const double dex = d.x - e.x, dey = d.y - e.y, dez = d.z - e.z;
-  const double ab = aex * bey - bex * aey;
-  const double bc = bex * cey - cex * bey;
-  const double cd = cex * dey - dex * cey;
-  const double da = dex * aey - aex * dey;
-  const double ac = aex * cey - cex * aey;
-  const double bd = bex * dey - dex * bey;
-  const double abc = aez * bc - bez * ac + cez * ab;
-  const double bcd = bez * cd - cez * bd + dez * bc;
-  const double cda = cez * da + dez * ac + aez * cd;
-  const double dab = dez * ab + aez * bd + bez * da;
-  const double a2 = aex * aex + aey * aey + aez * aez;
-  const double b2 = bex * bex + bey * bey + bez * bez;
-  const double c2 = cex * cex + cey * cey + cez * cez;
-  const double d2 = dex * dex + dey * dey + dez * dez;
-  const double det = (d2 * abc - c2 * dab) + (b2 * cda - a2 * bcd);
-  const double sum = (a2 + b2) + (c2 + d2);
+  using internal::both, internal::Pair, internal::swapped;
+  const Pair exy = {e.x, e.y};
+  const Pair axy = Pair{a.x, a.y} - exy, bxy = Pair{b.x, b.y} - exy;
+  const Pair cxy = Pair{c.x, c.y} - exy, dxy = Pair{d.x, d.y} - exy;
+  const Pair acz = Pair{a.z, c.z} - both(e.z), bdz = Pair{b.z, d.z} - both(e.z);
+  // Minors of two rows, two at a time: ab = ax by - bx ay and so on.
+  const Pair ab = axy * swapped(bxy), bc = bxy * swapped(cxy), cd = cxy * swapped(dxy);
+  const Pair da = dxy * swapped(axy), ac = axy * swapped(cxy), bd = bxy * swapped(dxy);
+  const Pair ab_cd = Pair{ab[0], cd[0]} - Pair{ab[1], cd[1]};
+  const Pair bc_da = Pair{bc[0], da[0]} - Pair{bc[1], da[1]};
+  const Pair ac_bd = Pair{ac[0], bd[0]} - Pair{ac[1], bd[1]};
+  // Minors of three rows: abc and cda, bcd and dab.
+  const Pair bz_minus_dz = {bdz[0], -bdz[1]}, cz_minus_az = {acz[1], -acz[0]};
+  const Pair abc_cda = (acz * bc_da + swapped(acz) * ab_cd) - bz_minus_dz * both(ac_bd[0]);
+  const Pair bcd_dab = (bdz * swapped(ab_cd) + swapped(bdz) * bc_da) - cz_minus_az * both(ac_bd[1]);
+  // Squared distances.
+  const Pair aa = axy * axy, bb = bxy * bxy, cc = cxy * cxy, dd = dxy * dxy;
+  const Pair ac2 = (Pair{aa[0], cc[0]} + Pair{aa[1], cc[1]}) + acz * acz;
+  const Pair bd2 = (Pair{bb[0], dd[0]} + Pair{bb[1], dd[1]}) + bdz * bdz;
+  const Pair halves = swapped(bd2) * abc_cda - ac2 * bcd_dab;
+  const Pair sums = ac2 + bd2;
+  const double det = halves[0] + halves[1];
+  const double sum = sums[0] + sums[1];
   if (CIRCUMBALL_LIKELY(std::fabs(det) >=
                         internal::kInsphereBound * (sum * sum * internal::sqrt_bound(sum)))) {
     internal::count_filter(internal::Predicate::kInsphere);

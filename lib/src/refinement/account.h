@@ -9,8 +9,8 @@
 
 namespace circumball {
 
-/// The account of a simplex that stayed unacceptable: `rule` says why it is, `refusal` why it was not split (kNone: its
-/// turn never came, for the reason in `stop`).
+/// The account of a simplex that stayed unacceptable: `rule` says why it is, `refusal` why it was
+/// not split (kNone: its turn never came, for the reason in `stop`).
 Unresolved account_for(const Live2& live, SubsegmentId s, Reason rule, Reason refusal,
                        const std::string& stop);
 Unresolved account_for(const Live2& live, TriangleRef t, Reason rule, Reason refusal,

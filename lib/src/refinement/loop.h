@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "refinement/queue.h"
 #include "refinement/account.h"
+#include "refinement/queue.h"
 #include "refinement/stage.h"
 
 namespace circumball {
@@ -30,8 +30,8 @@ namespace circumball {
 ///   unacceptable(View, SubsegmentId), unacceptable(View, TriangleRef) -> Verdict
 ///   safe(View, SubsegmentId), safe(View, TriangleRef)                 -> Verdict (kNone: safe)
 ///   action(View, SubsegmentId), action(View, TriangleRef)             -> Proposal
-///   encroaches(View, SubsegmentId, VertexId): what `unacceptable` says when only that vertex is new
-///   kTriangles                         whether triangles are looked at, at all
+///   encroaches(View, SubsegmentId, VertexId): what `unacceptable` says when only that vertex is
+///   new kTriangles                         whether triangles are looked at, at all
 template <class Rules>
 class Loop final : public Stage {
  public:
@@ -104,7 +104,8 @@ class Loop final : public Stage {
     const SubsegmentId s = item.subsegment;
     if (!view_->alive(s)) return w.recorder.dropped(s, Reason::kDied);
     const Verdict why = rules_.unacceptable(*view_, s);
-    // A subsegment that a circumcentre yielded to is split, as long as the triangle that proposed it is alive.
+    // A subsegment that a circumcentre yielded to is split, as long as the triangle that proposed
+    // it is alive.
     if (!why && !(item.proposer.id != kNone && view_->alive(item.proposer))) {
       w.live.tag_edge(s);  // it may have been missing before
       return w.recorder.dropped(s, Reason::kAcceptable);
@@ -137,7 +138,8 @@ class Loop final : public Stage {
     }
   }
 
-  /// The circumcentre yields to what it encroaches, and the triangle that proposed it goes back to the queue.
+  /// The circumcentre yields to what it encroaches, and the triangle that proposed it goes back to
+  /// the queue.
   void yield(Workspace& w, TriangleRef t, const Proposal& p) {
     bool queued = false;
     for (const SubsegmentId s : view_->encroached()) {
@@ -168,7 +170,8 @@ class Loop final : public Stage {
   static void freeze(Workspace& w, SubsegmentId s) { w.live.freeze(s); }
   static void freeze(Workspace&, TriangleRef) {}
 
-  /// Nothing is inserted whose coordinates are too small for the predicates to be exact (architecture.md, Numbers).
+  /// Nothing is inserted whose coordinates are too small for the predicates to be exact
+  /// (architecture.md, Numbers).
   static bool representable(const Point2& p) {
     const auto fine = [](double x) { return x == 0 || x >= 1e-45 || x <= -1e-45; };
     return fine(p.x) && fine(p.y);
@@ -202,7 +205,8 @@ class Loop final : public Stage {
   }
   void split(Workspace&, TriangleRef, VertexId) {}
 
-  /// Queues what became unacceptable by the insertion of v: all of it touches a triangle that was born.
+  /// Queues what became unacceptable by the insertion of v: all of it touches a triangle that was
+  /// born.
   void queue_around(Workspace& w, VertexId v) {
     const Delaunay2& dt = w.live.triangulation();
     for (const TriangleId t : dt.born()) {

@@ -7,7 +7,8 @@
 
 #include "refinement/view.h"
 
-/// The queues of Algorithm 2.2: subsegments before triangles; ties by order of birth, so that a run is reproducible.
+/// The queues of Algorithm 2.2: subsegments before triangles; ties by order of birth, so that a run
+/// is reproducible.
 namespace circumball {
 
 /// First in, first out, with a way back to the front. Amortized O(1), no allocation once grown.
@@ -43,7 +44,6 @@ class FifoQueue {
   std::vector<T> ring_;  // a power of two
   std::size_t head_ = 0, size_ = 0;
 };
-
 
 /// Triangles in order of birth.
 class TrianglesByBirth {
@@ -87,7 +87,8 @@ class TrianglesByValue {
   std::vector<Item> heap_;
 };
 
-/// A subsegment in the queue: because it is unacceptable, or because the circumcentre of `proposer` yields to it.
+/// A subsegment in the queue: because it is unacceptable, or because the circumcentre of `proposer`
+/// yields to it.
 struct QueuedSubsegment {
   SubsegmentId subsegment;
   TriangleRef proposer;

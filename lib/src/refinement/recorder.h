@@ -9,7 +9,8 @@
 
 namespace circumball {
 
-/// Puts what happens into events, if somebody listens. With a null sink each call is one predictable branch.
+/// Puts what happens into events, if somebody listens. With a null sink each call is one
+/// predictable branch.
 class Recorder {
  public:
   Recorder(const Live2& live, TraceSink* sink) : live_(live), sink_(sink) {}
@@ -61,7 +62,8 @@ class Recorder {
     place(at, &e);
     send(e);
   }
-  /// After the insertion of v, which split `split` (as an event of kind kInserted without its record).
+  /// After the insertion of v, which split `split` (as an event of kind kInserted without its
+  /// record).
   void inserted(Event split, VertexId v, double insertion_radius);
   template <class Simplex>
   Event insertion_of(Simplex s, Reason why) const {

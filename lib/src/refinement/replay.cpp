@@ -27,7 +27,8 @@ bool has_record(const Event& e) {
 Replay::Replay(const Trace& trace) : trace_(&trace), state_(std::make_unique<State>()) {}
 Replay::~Replay() = default;
 
-/// Takes the simplices [first, first + out) from the live ones and adds the `in` that follow or precede them.
+/// Takes the simplices [first, first + out) from the live ones and adds the `in` that follow or
+/// precede them.
 void Replay::exchange(std::size_t out_at, std::size_t out, std::size_t in_at, std::size_t in) {
   const auto d = static_cast<std::size_t>(trace_->dimension);
   const auto cell = [&](std::size_t at) {

@@ -47,8 +47,9 @@ struct Workspace {
   const std::atomic<bool>& cancelled;
   std::uint64_t iterations = 0;
   std::uint64_t inserted = 0, refused = 0, yielded = 0;  // in the current step
-  Reason limit = Reason::kNone;       ///< a limit that ends the run
-  Reason refusal_limit = Reason::kNone;  ///< kLimitMinEdge or kLimitPrecision: something was refused for it
+  Reason limit = Reason::kNone;                          ///< a limit that ends the run
+  Reason refusal_limit =
+      Reason::kNone;  ///< kLimitMinEdge or kLimitPrecision: something was refused for it
   std::uint64_t queued = 0;
 
   /// Vertices, memory and cancellation; seconds are the run's.
@@ -74,8 +75,8 @@ class Stage {
   virtual void begin(Workspace&) {}
   /// Goes on; true when the step is done. A limit in the workspace ends it, too.
   virtual bool advance(Workspace&, Budget&) = 0;
-  /// Appends what its rules still call unacceptable, at most `max` in all, and why it was not split; `stop` is the reason
-  /// for all that was never refused.
+  /// Appends what its rules still call unacceptable, at most `max` in all, and why it was not
+  /// split; `stop` is the reason for all that was never refused.
   virtual void unresolved(const Workspace&, const std::string& /*stop*/, std::size_t /*max*/,
                           std::vector<Unresolved>*) const {}
 

@@ -11,7 +11,8 @@ namespace {
 constexpr char kMagic[] = "circumball-trace 1\n";
 constexpr std::size_t kMagicSize = sizeof(kMagic) - 1;
 
-// Events and numbers are written as they lie in memory: every platform that we build for is little-endian.
+// Events and numbers are written as they lie in memory: every platform that we build for is
+// little-endian.
 template <class T>
 void append(const T* data, std::size_t count, std::string* bytes) {
   bytes->append(reinterpret_cast<const char*>(data), count * sizeof(T));
@@ -163,8 +164,8 @@ std::string to_jsonl(const Trace& trace) {
   std::size_t at = 0;
   const std::size_t stride = static_cast<std::size_t>(trace.dimension) + 2;
   for (const Event& e : trace.events) {
-    nlohmann::ordered_json line = {{"event", name(e.kind)},
-                                   {"step", e.step < trace.steps.size() ? trace.steps[e.step] : ""}};
+    nlohmann::ordered_json line = {
+        {"event", name(e.kind)}, {"step", e.step < trace.steps.size() ? trace.steps[e.step] : ""}};
     if (e.reason != Reason::kNone) line["reason"] = name(e.reason);
     if (corners(e) > 0) {
       line["simplex"] = std::vector<std::uint32_t>(e.simplex, e.simplex + corners(e));
@@ -224,8 +225,8 @@ std::string describe(const Event& e, const std::vector<std::string>& steps) {
       if (e.dimension == 0) return vertex + " of the input is inserted.";
       std::string split = simplex_words(e);
       split[0] = 't';
-      return vertex + " is inserted at the " + name(e.reason) + " of " + split +
-             ", at distance " + number(e.value) + " from its nearest neighbor.";
+      return vertex + " is inserted at the " + name(e.reason) + " of " + split + ", at distance " +
+             number(e.value) + " from its nearest neighbor.";
     }
     case EventKind::kRelabeled:
       return "The triangles are told apart: inside and outside of the domain.";

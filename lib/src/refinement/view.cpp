@@ -27,7 +27,8 @@ Outlook View::look(Point2& c, TriangleRef t) {
   if (!std::isfinite(c.x) || !std::isfinite(c.y)) return Outlook::kCoincides;
   if (dt_.probe(c, t.id) == Delaunay2::Probe::kDuplicate) return Outlook::kCoincides;
   if (!cavity_holds(t.id)) {
-    // Rounding threw the circumcentre of a needle out of its own circumdisk: compute it with more digits.
+    // Rounding threw the circumcentre of a needle out of its own circumdisk: compute it with more
+    // digits.
     const auto& v = dt_.triangle(t.id).v;
     c = circumcenter_extended(dt_.point(v[0]), dt_.point(v[1]), dt_.point(v[2]));
     if (!std::isfinite(c.x) || !std::isfinite(c.y)) return Outlook::kCoincides;

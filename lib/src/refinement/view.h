@@ -9,8 +9,8 @@
 #include "complex/live2.h"
 #include "delaunay/constructions.h"
 
-/// What a rule may see, and say. Rules are pure queries over the local Delaunay triangulation; only the loop inserts,
-/// queues and records.
+/// What a rule may see, and say. Rules are pure queries over the local Delaunay triangulation; only
+/// the loop inserts, queues and records.
 namespace circumball {
 
 /// A triangle as the queue knows it: slots are reused, births are not.
@@ -19,7 +19,8 @@ struct TriangleRef {
   std::uint32_t birth = 0;
 };
 
-/// The answer of an Unacceptability or Safety rule: a reason (kNone: acceptable, safe), its witness, a measure.
+/// The answer of an Unacceptability or Safety rule: a reason (kNone: acceptable, safe), its
+/// witness, a measure.
 struct Verdict {
   Reason reason = Reason::kNone;
   VertexId witness;
@@ -61,13 +62,15 @@ class View {
     const Subsegment& u = live_.subsegment(s);
     return outward(circumball::midpoint(dt_.point(u.a), dt_.point(u.b)), s);
   }
-  /// p, a rounded point of s. Where s is an edge of the convex hull and rounding put p inside, the next point that is
-  /// not: else the edge would stay in the triangulation, under a flat triangle. At most one ulp a coordinate.
+  /// p, a rounded point of s. Where s is an edge of the convex hull and rounding put p inside, the
+  /// next point that is not: else the edge would stay in the triangulation, under a flat triangle.
+  /// At most one ulp a coordinate.
   Point2 outward(const Point2& p, SubsegmentId s) const;
 
-  /// Whether the open diametral disk of s holds a vertex (Algorithm 2.3), exactly; or s is not an edge of the
-  /// triangulation, although the open disk is empty: vertices on its circle took the edge by a tie. If some vertex is
-  /// inside the disk of an edge, one of the edge's two apexes is (Proposition 2.1).
+  /// Whether the open diametral disk of s holds a vertex (Algorithm 2.3), exactly; or s is not an
+  /// edge of the triangulation, although the open disk is empty: vertices on its circle took the
+  /// edge by a tie. If some vertex is inside the disk of an edge, one of the edge's two apexes is
+  /// (Proposition 2.1).
   Verdict encroachment(SubsegmentId s) const {
     const HalfEdge h = live_.edge_of(s);
     if (h == kNone) return {Reason::kMissing, VertexId(), 0};
@@ -92,9 +95,7 @@ class View {
   }
 
   // --- triangles
-  bool alive(TriangleRef t) const {
-    return dt_.alive(t.id) && dt_.triangle(t.id).birth == t.birth;
-  }
+  bool alive(TriangleRef t) const { return dt_.alive(t.id) && dt_.triangle(t.id).birth == t.birth; }
   TriangleShape shape(TriangleRef t) const {
     const auto& v = dt_.triangle(t.id).v;
     return shape_of(dt_.point(v[0]), dt_.point(v[1]), dt_.point(v[2]));
@@ -110,7 +111,8 @@ class View {
   }
   double area_bound(TriangleRef t) const { return live_.area_bound(t.id); }
 
-  /// Looks at c before leaping: c is the point that splits t, in its circumdisk. Finds the cavity of c.
+  /// Looks at c before leaping: c is the point that splits t, in its circumdisk. Finds the cavity
+  /// of c.
   Outlook look(Point2& c, TriangleRef t);
   /// Looks at the midpoint of s.
   Outlook look_at_midpoint(const Point2& m, SubsegmentId s);
@@ -120,7 +122,8 @@ class View {
   bool separates() const {
     return !dt_.cavity_tagged_inside().empty() || !live_.in_domain(dt_.cavity()[0]);
   }
-  /// Distance from the point last looked at to its nearest vertex: r_q, if it is inserted (Definition 2.1.5).
+  /// Distance from the point last looked at to its nearest vertex: r_q, if it is inserted
+  /// (Definition 2.1.5).
   double insertion_radius(const Point2& p) const;
 
  private:
@@ -128,8 +131,8 @@ class View {
     const VertexId p = dt_.apex(h);
     if (p == Delaunay2::kGhost) return VertexId();
     const Subsegment& u = live_.subsegment(s);
-    const bool inside = in_diametral_ball(dt_.point(u.a), dt_.point(u.b), dt_.point(p)) ==
-                        Sign::kPositive;
+    const bool inside =
+        in_diametral_ball(dt_.point(u.a), dt_.point(u.b), dt_.point(p)) == Sign::kPositive;
     return inside ? p : VertexId();
   }
   bool cavity_holds(TriangleId t) const {
