@@ -80,7 +80,8 @@ export const texts = {
   },
   run: {
     start: 'Refine',
-    stale: 'The input has changed. Refine it to see what becomes of it.',
+    stale: 'Draw, then refine to see what becomes of it.',
+    kept: 'The input as it was refined. Change it, or go back to watching.',
     none: 'Refine the input to fill the timeline.',
     failed: 'The run could not start.',
     crashed: 'The core stopped unexpectedly and was started again. Your drawing is safe.',

@@ -45,7 +45,8 @@ function changeSpeed(by: 1 | -1): void {
 const play: Action[] = [
   {
     id: 'play',
-    title: () => (playback.playing ? texts.transport.pause : texts.transport.play),
+    title: texts.transport.play,
+    now: () => (playback.playing ? texts.transport.pause : texts.transport.play),
     group: 'Play',
     keys: ['Space', 'k'],
     enabled: () => !doc.isEmpty,
@@ -107,7 +108,8 @@ const play: Action[] = [
 const edit: Action[] = [
   {
     id: 'undo',
-    title: () => texts.undo(doc.undoTitle),
+    title: texts.undo(''),
+    now: () => texts.undo(doc.undoTitle),
     group: 'Edit',
     keys: ['Mod+Z'],
     enabled: () => doc.canUndo,
@@ -115,7 +117,8 @@ const edit: Action[] = [
   },
   {
     id: 'redo',
-    title: () => texts.redo(doc.redoTitle),
+    title: texts.redo(''),
+    now: () => texts.redo(doc.redoTitle),
     group: 'Edit',
     keys: ['Mod+Shift+Z', 'Mod+Y'],
     enabled: () => doc.canRedo,
@@ -279,7 +282,7 @@ const file: Action[] = [
     id: 'share',
     title: texts.top.share,
     group: 'File',
-    keys: ['Mod+L'],
+    keys: ['Shift+S'],
     enabled: () => !doc.isEmpty,
     perform: () => (app.dialog = 'share'),
   },

@@ -25,8 +25,9 @@ export function handleKey(e: KeyboardEvent): void {
       !action.keys.some((k) => matches(k, e) && (app.settings.singleKeys || !isSingleCharacter(k)))
     )
       continue;
+    if (!isEnabled(action)) continue; // the browser may have a use for the key
     e.preventDefault();
-    if (isEnabled(action)) action.perform();
+    action.perform();
     return;
   }
 }

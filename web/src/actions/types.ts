@@ -1,7 +1,9 @@
 /** An action: one record behind buttons, shortcuts and menus. */
 export interface Action {
   readonly id: string;
-  readonly title: string | (() => string);
+  readonly title: string;
+  /** What it would do now, where that says more than the title ("Undo: move 3 vertices"). */
+  readonly now?: () => string;
   readonly group: 'Play' | 'Jump' | 'Edit' | 'Tools' | 'View' | 'File' | 'Help';
   /** Shortcuts, the first one is shown: "Space", "ArrowLeft", "Mod+Z", "Shift+2", "?". */
   readonly keys: readonly string[];
@@ -11,7 +13,7 @@ export interface Action {
 }
 
 export function titleOf(action: Action): string {
-  return typeof action.title === 'string' ? action.title : action.title();
+  return action.now?.() ?? action.title;
 }
 
 export function isEnabled(action: Action): boolean {

@@ -13,14 +13,13 @@ export class PlaybackStore {
   /** Set when the last move was a single event: the picture may show the change in motion. */
   lastChange: MeshChange | null = null;
 
-  replay: Replay | null = null;
-  angles: AngleCache | null = null;
+  replay = $state.raw<Replay | null>(null);
+  angles = $state.raw<AngleCache | null>(null);
   readonly length = $derived.by(() => {
     void this.run.traceVersion;
     return this.run.trace?.eventCount ?? 0;
   });
   readonly moment = $derived.by<Moment | null>(() => {
-    void this.run.traceVersion;
     return this.replay && this.run.trace ? momentAt(this.replay, this.position) : null;
   });
 
