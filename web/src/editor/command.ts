@@ -4,7 +4,8 @@
  * and order included.
  */
 
-import type { Document, Entity, IdSource, Kind } from './document';
+import type { Point } from '../shared/types';
+import type { Document, Entity, IdSource, Kind, Segment, Vertex } from './document';
 import { kinds } from './document';
 
 export type Patch =
@@ -65,13 +66,19 @@ export function invert(patches: readonly Patch[]): Patch[] {
     .reverse();
 }
 
-/** An edit in the making: every call patches the working document and writes the patch down. */
+/**
+ * An edit in the making: every call patches the working document and writes the patch down. Looking things up takes
+ * constant time; `document` costs a copy of the lists that change afterwards, so loops take it once.
+ */
 export class Draft {
   readonly ids: IdSource;
   readonly patches: Patch[] = [];
   private base: Document;
   private lists: Partial<Lists> = {};
   private snapshot: Document | null;
+  private indexes: Partial<Record<Kind, Map<number, number>>> = {};
+  private places: Map<string, Set<number>> | null = null; // vertices by their coordinates
+  private pairs: Map<string, number> | null = null; // segment by its ends
 
   constructor(document: Document, ids: IdSource) {
     this.base = document;
@@ -89,32 +96,71 @@ export class Draft {
     return this.snapshot;
   }
 
+  get<K extends Kind>(kind: K, id: number): Entity<K> | null {
+    const index = this.indexOf(kind, id);
+    return index === undefined ? null : (this.current(kind)[index] as Entity<K>);
+  }
+
+  /** The vertex at exactly this place, other than `except`. */
+  vertexAt(at: Point, except?: number): number | null {
+    if (!this.places) {
+      this.places = new Map();
+      for (const vertex of this.current('vertices') as readonly Vertex[]) this.note(vertex);
+    }
+    for (const id of this.places.get(placeKey(at)) ?? []) if (id !== except) return id;
+    return null;
+  }
+
+  /** The segment between two vertices, in either direction. */
+  segmentBetween(a: number, b: number): number | null {
+    if (!this.pairs) {
+      this.pairs = new Map();
+      for (const s of this.current('segments') as readonly Segment[]) {
+        this.pairs.set(pairKey(s.a, s.b), s.id);
+      }
+    }
+    return this.pairs.get(pairKey(a, b)) ?? null;
+  }
+
   insert<K extends Kind>(kind: K, entity: Omit<Entity<K>, 'id'>): number {
     const id = this.ids.take();
     const list = this.list(kind);
     const whole = { ...entity, id } as Entity;
     this.patches.push({ op: 'insert', kind, index: list.length, entity: whole });
+    this.indexes[kind]?.set(id, list.length);
     list.push(whole);
+    this.enter(kind, whole);
     return id;
   }
 
   remove(kind: Kind, id: number): void {
+    this.removeMany(kind, new Set([id]));
+  }
+
+  /** From the last to the first, so that no index shifts under another. */
+  removeMany(kind: Kind, ids: ReadonlySet<number>): void {
+    if (ids.size === 0) return;
     const list = this.list(kind);
-    const index = list.findIndex((e) => e.id === id);
-    if (index < 0) return;
-    this.patches.push({ op: 'remove', kind, index, entity: list[index]! });
-    list.splice(index, 1);
+    for (let index = list.length - 1; index >= 0; --index) {
+      const entity = list[index]!;
+      if (!ids.has(entity.id)) continue;
+      this.patches.push({ op: 'remove', kind, index, entity });
+      this.leave(kind, entity);
+    }
+    this.lists[kind] = list.filter((e) => !ids.has(e.id)) as never;
+    delete this.indexes[kind];
   }
 
   change<K extends Kind>(kind: K, id: number, fields: Partial<Omit<Entity<K>, 'id'>>): void {
-    const list = this.list(kind);
-    const index = list.findIndex((e) => e.id === id);
-    if (index < 0) return;
-    const before = list[index]!;
+    const index = this.indexOf(kind, id);
+    if (index === undefined) return;
+    const before = this.current(kind)[index]!;
     const after = { ...before, ...fields } as Entity;
     if (JSON.stringify(before) === JSON.stringify(after)) return;
     this.patches.push({ op: 'change', kind, index, before, after });
-    list[index] = after;
+    this.leave(kind, before);
+    this.list(kind)[index] = after;
+    this.enter(kind, after);
   }
 
   reset(after: Document): void {
@@ -122,29 +168,71 @@ export class Draft {
     this.base = after;
     this.snapshot = after;
     this.lists = {};
+    this.indexes = {};
+    this.places = null;
+    this.pairs = null;
   }
 
   private list(kind: Kind): Entity[] {
-    this.lists[kind] ??= [...this.base[kind]];
+    this.lists[kind] ??= [...this.base[kind]] as never;
     this.snapshot = null;
     return this.lists[kind]!;
   }
+
+  private current(kind: Kind): readonly Entity[] {
+    return this.lists[kind] ?? this.base[kind];
+  }
+
+  private indexOf(kind: Kind, id: number): number | undefined {
+    this.indexes[kind] ??= new Map(this.current(kind).map((e, i) => [e.id, i]));
+    return this.indexes[kind]!.get(id);
+  }
+
+  private note(vertex: Vertex): void {
+    const key = placeKey(vertex.at);
+    const there = this.places!.get(key);
+    if (there) there.add(vertex.id);
+    else this.places!.set(key, new Set([vertex.id]));
+  }
+
+  private enter(kind: Kind, entity: Entity): void {
+    if (kind === 'vertices' && this.places) this.note(entity as Vertex);
+    if (kind === 'segments' && this.pairs) {
+      const { id, a, b } = entity as Segment;
+      this.pairs.set(pairKey(a, b), id);
+    }
+  }
+
+  private leave(kind: Kind, entity: Entity): void {
+    if (kind === 'vertices') this.places?.get(placeKey((entity as Vertex).at))?.delete(entity.id);
+    if (kind === 'segments' && this.pairs) {
+      const { id, a, b } = entity as Segment;
+      if (this.pairs.get(pairKey(a, b)) === id) this.pairs.delete(pairKey(a, b));
+    }
+  }
+}
+
+function placeKey(at: Point): string {
+  return `${at[0] + 0} ${at[1] + 0}`; // no negative zero
+}
+
+function pairKey(a: number, b: number): string {
+  return a < b ? `${a} ${b}` : `${b} ${a}`;
 }
 
 /** One command in place of two in a row: changes of the same thing keep the first before and the last after. */
 export function mergeCommands(first: Command, second: Command): Command {
   const patches = [...first.patches];
+  const key = (p: Patch) => (p.op === 'change' ? `${p.kind} ${p.index}` : '');
+  const changes = new Map(patches.map((p, i) => [key(p), i]));
   for (const patch of second.patches) {
-    const at = patches.findIndex(
-      (p) =>
-        p.op === 'change' &&
-        patch.op === 'change' &&
-        p.kind === patch.kind &&
-        p.index === patch.index,
-    );
-    const old = patches[at];
-    if (old?.op === 'change' && patch.op === 'change') patches[at] = { ...old, after: patch.after };
-    else patches.push(patch);
+    const at = patch.op === 'change' ? changes.get(key(patch)) : undefined;
+    const old = at === undefined ? undefined : patches[at];
+    if (old?.op === 'change' && patch.op === 'change') {
+      patches[at!] = { ...old, after: patch.after };
+    } else {
+      patches.push(patch);
+    }
   }
   return { ...second, patches };
 }

@@ -7,14 +7,13 @@ import { type Document, endsOf, find, fromComplex, type Ids } from './document';
 
 /** The vertex at exactly this place: the one that is there, or a new one. */
 export function addVertex(draft: Draft, at: Point): number {
-  const there = draft.document.vertices.find((v) => v.at[0] === at[0] && v.at[1] === at[1]);
-  return there ? there.id : draft.insert('vertices', { at });
+  return draft.vertexAt(at) ?? draft.insert('vertices', { at });
 }
 
 /** A vertex at `at` in the interior of a segment, which becomes two. Markers are handed down. */
 export function splitSegment(draft: Draft, segment: number, at: Point): number {
   const vertex = addVertex(draft, at);
-  const old = find(draft.document, 'segments', segment);
+  const old = draft.get('segments', segment);
   if (!old || old.a === vertex || old.b === vertex) return vertex;
   draft.remove('segments', segment);
   addSegment(draft, old.a, vertex, old.marker);
@@ -25,10 +24,8 @@ export function splitSegment(draft: Draft, segment: number, at: Point): number {
 /** Null if the ends are one vertex; the segment that is there if there is one. */
 export function addSegment(draft: Draft, a: number, b: number, marker?: number): number | null {
   if (a === b) return null;
-  const there = draft.document.segments.find(
-    (s) => (s.a === a && s.b === b) || (s.a === b && s.b === a),
-  );
-  if (there) return there.id;
+  const there = draft.segmentBetween(a, b);
+  if (there !== null) return there;
   return draft.insert('segments', marker === undefined ? { a, b } : { a, b, marker });
 }
 
@@ -43,10 +40,8 @@ export function removeAll(draft: Draft, ids: Ids): void {
   const segments = draft.document.segments.filter(
     (s) => ids.segments.has(s.id) || ids.vertices.has(s.a) || ids.vertices.has(s.b),
   );
-  for (const { id } of segments) draft.remove('segments', id);
-  for (const kind of ['vertices', 'holes', 'regions'] as const) {
-    for (const id of ids[kind]) draft.remove(kind, id);
-  }
+  draft.removeMany('segments', new Set(segments.map((s) => s.id)));
+  for (const kind of ['vertices', 'holes', 'regions'] as const) draft.removeMany(kind, ids[kind]);
 }
 
 /** The vertices that move with a selection: its own, and the ends of its segments. */
@@ -62,12 +57,12 @@ export function movedVertices(document: Document, ids: Ids): Set<number> {
 export function moveAll(draft: Draft, ids: Ids, dx: number, dy: number): void {
   const shift = (p: Point): Point => [p[0] + dx, p[1] + dy];
   for (const id of movedVertices(draft.document, ids)) {
-    const vertex = find(draft.document, 'vertices', id);
+    const vertex = draft.get('vertices', id);
     if (vertex) draft.change('vertices', id, { at: shift(vertex.at) });
   }
   for (const kind of ['holes', 'regions'] as const) {
     for (const id of ids[kind]) {
-      const seed = find(draft.document, kind, id);
+      const seed = draft.get(kind, id);
       if (seed) draft.change(kind, id, { at: shift(seed.at) });
     }
   }
@@ -76,17 +71,13 @@ export function moveAll(draft: Draft, ids: Ids, dx: number, dy: number): void {
 /** Vertices that came to lie exactly on others become one with them; segments follow, none doubled, none of length zero. */
 export function weld(draft: Draft, moved: ReadonlySet<number>): void {
   for (const id of moved) {
-    const vertex = find(draft.document, 'vertices', id);
-    const other =
-      vertex &&
-      draft.document.vertices.find(
-        (v) => v.id !== id && v.at[0] === vertex.at[0] && v.at[1] === vertex.at[1],
-      );
-    if (!vertex || !other) continue;
+    const vertex = draft.get('vertices', id);
+    const other = vertex && draft.vertexAt(vertex.at, id);
+    if (!vertex || other === null) continue;
     for (const segment of draft.document.segments.filter((s) => s.a === id || s.b === id)) {
       draft.remove('segments', segment.id);
-      const a = segment.a === id ? other.id : segment.a;
-      const b = segment.b === id ? other.id : segment.b;
+      const a = segment.a === id ? other : segment.a;
+      const b = segment.b === id ? other : segment.b;
       addSegment(draft, a, b, segment.marker);
     }
     draft.remove('vertices', id);
@@ -182,13 +173,20 @@ export function splitCrossings(draft: Draft): number {
       }
       ++places;
     }
-    for (const [id, vertices] of cuts) cutSegment(draft, id, [...vertices]);
+    const placed = draft.document;
+    draft.removeMany('segments', new Set(cuts.keys()));
+    for (const [id, vertices] of cuts) addPieces(draft, placed, id, [...vertices]);
   }
   return places;
 }
 
-function cutSegment(draft: Draft, id: number, vertices: readonly number[]): void {
-  const document = draft.document;
+/** The pieces of a segment of `document` that is cut at vertices. */
+function addPieces(
+  draft: Draft,
+  document: Document,
+  id: number,
+  vertices: readonly number[],
+): void {
   const segment = find(document, 'segments', id);
   const ends = segment && endsOf(document, segment);
   if (!segment || !ends) return;
@@ -199,7 +197,6 @@ function cutSegment(draft: Draft, id: number, vertices: readonly number[]): void
   };
   const sorted = vertices.filter((v) => v !== segment.a && v !== segment.b);
   sorted.sort((v, w) => along(v) - along(w) || v - w);
-  draft.remove('segments', id);
   const chain = [segment.a, ...sorted, segment.b];
   for (let i = 1; i < chain.length; ++i) {
     addSegment(draft, chain[i - 1]!, chain[i]!, segment.marker);
