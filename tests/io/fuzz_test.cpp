@@ -34,6 +34,12 @@ void counted_free(void* pointer) {
 
 void* operator new(std::size_t size) { return counted_allocate(size); }
 void* operator new[](std::size_t size) { return counted_allocate(size); }
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  return counted_allocate(size);
+}
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept {
+  return counted_allocate(size);
+}
 void operator delete(void* pointer) noexcept { counted_free(pointer); }
 void operator delete[](void* pointer) noexcept { counted_free(pointer); }
 void operator delete(void* pointer, std::size_t) noexcept { counted_free(pointer); }

@@ -22,7 +22,8 @@ std::optional<double> parse_double(std::string_view text);
 /// The integer that is all of `text`; nothing if it is anything else or does not fit.
 std::optional<std::int64_t> parse_integer(std::string_view text);
 
-/// The shortest decimal that reads back as the same double, and among those the nearest: 0.d1d2d3… * 10^exponent.
+/// The shortest decimal that reads back as the same double, and among those the nearest: 0.d1d2d3…
+/// * 10^exponent.
 struct Decimal {
   std::string digits;
   int exponent = 0;
