@@ -265,6 +265,34 @@ TEST(Check, AgreesWithBruteForceOnRandomSegments) {
   }
 }
 
+TEST(Check, FindsTheSameAtTheEndsOfTheMagnitudesAllowed) {
+  Random random{13};
+  for (int round = 0; round < 300; ++round) {
+    Complex c;
+    for (std::uint32_t i = 0; i < 12; ++i) {
+      for (int end = 0; end < 2; ++end) {
+        const double x = 1 + random.below(5);
+        const double y = 1 + random.below(5);
+        c.vertices.push_back({x, y, 0});
+      }
+      c.segments.push_back({2 * i, 2 * i + 1});
+    }
+    const auto names = [&](double scale) {
+      Complex scaled = c;
+      for (Point3& p : scaled.vertices) p = {scale * p.x, -scale * p.y, 0};
+      std::vector<std::pair<std::string, std::vector<std::uint32_t>>> all;
+      for (const Defect& d : check(scaled)) {
+        all.push_back({d.name, {}});
+        for (const Feature& f : d.features) all.back().second.push_back(f.index);
+      }
+      return all;
+    };
+    const auto expected = names(1);
+    ASSERT_EQ(names(0x1p-149), expected) << "round " << round;  // 1.4e-45
+    ASSERT_EQ(names(0x1p180), expected) << "round " << round;   // up to 8e54
+  }
+}
+
 TEST(Check, ManyLongSegmentsAreNoTrouble) {
   Complex c;  // 50,000 long parallel diagonals, whose boxes all overlap, and one short segment
               // across two of them

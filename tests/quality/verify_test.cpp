@@ -44,6 +44,32 @@ TEST(Verify, AcceptsLargeOffsetsAndSmallFeatures) {
   }
 }
 
+TEST(Verify, SaysTheSameAtEveryScale) {
+  Subject s = square_with_hole();
+  s.options.checks = {"topology", "delaunay",    "input-vertices", "input-segments",
+                      "area",     "radius-edge", "min-angle",      "nearest-neighbor"};
+  for (const bool broken : {false, true}) {
+    if (broken) {  // not Delaunay, not in place, too thin
+      s.options.tau = 1;
+      s.mesh.vertices[6].x += 0x1p-20;
+      const auto t = cell_vertices(s.mesh, 60);
+      flip(&s.mesh, t[0], t[1]);
+    }
+    for (const double scale :
+         {0x1p-120, 0x1p170}) {  // the least coordinates that are not 0 are about 2^-4
+      Subject scaled = s;
+      for (Point3& p : scaled.complex.vertices) p = {scale * p.x, scale * p.y, 0};
+      for (Point3& p : scaled.mesh.vertices) p = {scale * p.x, scale * p.y, 0};
+      const auto expected = s.verified(), found = scaled.verified();
+      ASSERT_EQ(found.size(), expected.size());
+      for (std::size_t i = 0; i < found.size(); ++i) {
+        EXPECT_EQ(found[i].ok, expected[i].ok) << found[i].name << ": " << found[i].detail;
+        EXPECT_EQ(found[i].worst, expected[i].worst) << found[i].name;
+      }
+    }
+  }
+}
+
 TEST(Verify, RunsTheChecksThatApplyInOrder) {
   Subject s = square_with_hole();
   const auto names = [&] {

@@ -8,10 +8,10 @@
 namespace circumball {
 namespace {
 
-/// Items looked at before the search is ended and the count becomes a lower bound. Reached only by
-/// inputs with hundreds of millions of crossings or with tens of thousands of suspects that all
-/// span the whole input.
-constexpr std::uint64_t kMaxWork = 400'000'000;
+/// Boxes looked at before the search is ended and the count becomes a lower bound: a few seconds.
+/// Reached only by inputs with tens of millions of crossings, or with tens of thousands of suspects
+/// that all span the whole input.
+constexpr std::uint64_t kMaxWork = 50'000'000;
 
 enum class Meeting { kNone, kCross, kOverlap };
 
