@@ -3,7 +3,7 @@
 import type { Object3D } from 'three';
 import type { Point } from '../../shared/types';
 import { clipPolygon, clipSegment } from '../clip';
-import { parseColor } from '../color';
+import { parseColor, type Rgba } from '../color';
 import {
   type Dash,
   type DiskItem,
@@ -150,34 +150,40 @@ export class Layer {
   }
 
   private setTexts(items: readonly TextItem[], window: Window): void {
-    const batch = this.texts;
-    const glyphs = this.glyphs;
     let row = 0;
     for (const item of items) {
       if (window.box && !contains(window, item.at)) continue;
-      const width = textWidth(glyphs, item.text, item.size);
-      const side = glyphs.cellSize * item.size;
-      let pen =
-        item.dx - (item.anchor === 'middle' ? width / 2 : item.anchor === 'end' ? width : 0);
-      const color = parseColor(item.color);
-      const halo = item.halo ? parseColor(item.halo) : ([0, 0, 0, 0] as const);
-      for (const c of item.text) {
-        batch.reserve(row + 1);
-        const at = row++ * batch.stride;
-        putPoint(batch.array, at, item.at, window);
-        batch.array.set(
-          [pen - glyphs.padX * item.size, item.dy - glyphs.padY * item.size, side, side],
-          at + 2,
-        );
-        batch.array.set(glyphs.uv(c), at + 6);
-        batch.array.set(color, at + 10);
-        batch.array.set(halo, at + 14);
-        pen += glyphs.advance(c) * item.size;
-      }
+      // The halo of a character must not cut into the one before.
+      if (item.halo) row = this.putText(row, item, clear, parseColor(item.halo), window);
+      row = this.putText(row, item, parseColor(item.color), clear, window);
     }
-    finish(batch, row);
+    finish(this.texts, row);
+  }
+
+  private putText(row: number, item: TextItem, color: Rgba, halo: Rgba, window: Window): number {
+    const batch = this.texts;
+    const { glyphs } = this;
+    const width = textWidth(glyphs, item.text, item.size);
+    const side = glyphs.cellSize * item.size;
+    let pen = item.dx - (item.anchor === 'middle' ? width / 2 : item.anchor === 'end' ? width : 0);
+    batch.reserve(row + item.text.length);
+    for (const c of item.text) {
+      const at = row++ * batch.stride;
+      putPoint(batch.array, at, item.at, window);
+      batch.array.set(
+        [pen - glyphs.padX * item.size, item.dy - glyphs.padY * item.size, side, side],
+        at + 2,
+      );
+      batch.array.set(glyphs.uv(c), at + 6);
+      batch.array.set(color, at + 10);
+      batch.array.set(halo, at + 14);
+      pen += glyphs.advance(c) * item.size;
+    }
+    return row;
   }
 }
+
+const clear: Rgba = [0, 0, 0, 0];
 
 /** One row of a mark batch. */
 export function putMark(array: Float32Array, at: number, item: MarkItem, window: Window): void {
