@@ -80,8 +80,10 @@ inline double sqrt_bound(double x) {
 /// with one of the two, which saves an addition to Shewchuk's filter of 1997, section 4.1): if
 /// |det| >= 7 eps |right|, then 3 eps P <= 3 eps |det| + 6/7 |det| < |det|.
 inline double orient2d_filtered(double ax, double ay, double bx, double by, double cx, double cy) {
-  const double left = (ax - cx) * (by - cy);
-  const double right = (ay - cy) * (bx - cx);
+  using internal::Pair, internal::swapped;
+  const Pair c = {cx, cy};
+  const Pair products = (Pair{ax, ay} - c) * swapped(Pair{bx, by} - c);
+  const double left = products[0], right = products[1];
   const double det = left - right;
   if (CIRCUMBALL_LIKELY(std::fabs(det) >= internal::kOrient2dBound * std::fabs(right))) {
     internal::count_filter(internal::Predicate::kOrient2d);
@@ -176,8 +178,10 @@ inline double insphere_filtered(const Point3& a, const Point3& b, const Point3& 
 /// Sign of in_diametral_ball(a, b, p) in the plane: (a - p) . (p - b). k = 3, P as in orient2d.
 inline double in_segment_ball_filtered(double ax, double ay, double bx, double by, double px,
                                        double py) {
-  const double s = (ax - px) * (px - bx);
-  const double t = (ay - py) * (py - by);
+  using internal::Pair;
+  const Pair p = {px, py};
+  const Pair products = (Pair{ax, ay} - p) * (p - Pair{bx, by});
+  const double s = products[0], t = products[1];
   const double dot = s + t;
   if (CIRCUMBALL_LIKELY(std::fabs(dot) >= internal::kSegmentBall2Bound * std::fabs(t))) {
     internal::count_filter(internal::Predicate::kSegmentBall2);
