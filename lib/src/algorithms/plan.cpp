@@ -26,6 +26,7 @@ std::vector<std::unique_ptr<Stage>> plan(const Settings& settings) {
     Ruppert rules;
     rules.tau = settings.tau;
     rules.size = settings.size;
+    rules.sizing = settings.sizing;
     steps.push_back(loop("2", "Ruppert's algorithm", rules));
   } else if (settings.algorithm == "chew") {
     steps.push_back(divide_segments(settings.size));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "circumball/refine.h"
+#include "refinement/sizing.h"
 #include "refinement/stage.h"
 
 namespace circumball {
@@ -15,7 +16,8 @@ struct Settings {
   std::string algorithm;
   Domain domain = Domain::kHull;
   double tau = 0;
-  double size = 0;  ///< bound on the circumradius; 0: none
+  double size = 0;                       ///< bound on the circumradius; 0: none
+  std::shared_ptr<const Sizing> sizing;  ///< the same, where it is not a number
 };
 
 /// The steps of an algorithm, in order: the driver is this list. Step names are the thesis' where

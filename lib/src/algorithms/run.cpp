@@ -10,6 +10,7 @@
 #include "circumball/registry.h"
 #include "complex/export2.h"
 #include "predicates/elementary.h"
+#include "refinement/sizing.h"
 #include "refinement/stage.h"
 
 namespace circumball {
@@ -20,6 +21,23 @@ bool parse_number(const std::string& text, double* value) {
   char* end = nullptr;
   *value = std::strtod(text.c_str(), &end);
   return !text.empty() && *end == '\0' && std::isfinite(*value);
+}
+
+/// A sizing function that is not a plain number: it must be positive at the input vertices, at
+/// least.
+std::string settle_sizing(const Complex& complex, const std::string& text, Settings* settings) {
+  auto sizing = std::make_shared<Sizing>();
+  std::string error;
+  if (!Sizing::parse(text, sizing.get(), &error)) return "size: " + error;
+  for (const Point3& p : complex.vertices) {
+    const double h = sizing->at(p.x, p.y, p.z);
+    if (!(h > 0)) {
+      return "size: '" + text + "' is not positive at the input vertex (" + std::to_string(p.x) +
+             ", " + std::to_string(p.y) + ")";
+    }
+  }
+  settings->sizing = sizing;
+  return "";
 }
 
 /// Fills in the defaults and checks the ranges of the registry. An empty answer, or what is wrong.
@@ -40,6 +58,11 @@ std::string settle(const Complex& complex, Options* options, Settings* settings)
       return "algorithm '" + info->id + "' has no parameter '" + name + "'";
     }
     double value, low, high;
+    if (name == "size" && info->id != "chew" && !parse_number(text, &value)) {
+      const std::string error = settle_sizing(complex, text, settings);
+      if (!error.empty()) return error;
+      continue;
+    }
     if (!parse_number(text, &value)) return "'" + text + "' is not a number for '" + name + "'";
     if (parse_number(known->min, &low) && parse_number(known->max, &high) &&
         !(value >= low && value <= high)) {
@@ -92,6 +115,10 @@ std::string settle(const Complex& complex, Options* options, Settings* settings)
   if (info->id == "chew" && settings->size == 0) {
     settings->size = default_division_length(complex);
     if (!std::isfinite(settings->size)) settings->size = 1;  // a single vertex
+  }
+  if (settings->sizing) {
+    settings->size = 0;
+    return "";
   }
   options->size.clear();
   if (settings->size > 0) {

@@ -1,7 +1,10 @@
 #ifndef CIRCUMBALL_ALGORITHMS_RUPPERT_H_
 #define CIRCUMBALL_ALGORITHMS_RUPPERT_H_
 
+#include <memory>
+
 #include "refinement/queue.h"
+#include "refinement/sizing.h"
 #include "refinement/view.h"
 
 namespace circumball {
@@ -41,8 +44,9 @@ struct Conform {
 struct Ruppert : Conform {
   static constexpr bool kTriangles = true;
 
-  double tau = 1.42;  ///< radius-edge threshold
-  double size = 0;    ///< upper bound on the circumradius; 0: none
+  double tau = 1.42;                     ///< radius-edge threshold
+  double size = 0;                       ///< upper bound on the circumradius; 0: none
+  std::shared_ptr<const Sizing> sizing;  ///< the same, as a function of the place; null: none
 
   /// Priority: segments are processed before triangles (the loop does it); triangles by birth.
   using Triangles = TrianglesByBirth;
@@ -55,6 +59,9 @@ struct Ruppert : Conform {
       return {Reason::kRadiusEdge, VertexId(), view.measure([&] { return shape.radius_edge(); })};
     }
     if (size > 0 && shape.circumradius() > size) {
+      return {Reason::kSize, VertexId(), shape.circumradius()};
+    }
+    if (sizing && view.exceeds(*sizing, t, shape)) {
       return {Reason::kSize, VertexId(), shape.circumradius()};
     }
     if (const double bound = view.area_bound(t); bound > 0 && shape.area() > bound) {

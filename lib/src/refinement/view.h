@@ -8,6 +8,7 @@
 #include "circumball/trace.h"
 #include "complex/live2.h"
 #include "delaunay/constructions.h"
+#include "refinement/sizing.h"
 
 /// What a rule may see, and say. Rules are pure queries over the local Delaunay triangulation; only
 /// the loop inserts, queues and records.
@@ -108,6 +109,11 @@ class View {
   template <class Measure>
   double measure(Measure m) const {
     return measuring_ ? m() : 0;
+  }
+  /// Whether the circumradius of t exceeds the infimum of h over t; see Sizing::exceeded_by.
+  bool exceeds(const Sizing& h, TriangleRef t, const TriangleShape& shape) const {
+    const auto& v = dt_.triangle(t.id).v;
+    return h.exceeded_by(shape.circumradius(), dt_.point(v[0]), dt_.point(v[1]), dt_.point(v[2]));
   }
   double area_bound(TriangleRef t) const { return live_.area_bound(t.id); }
 
