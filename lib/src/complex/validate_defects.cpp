@@ -36,9 +36,11 @@ void DefectList::append_to(std::vector<Defect>* all, bool sorted) {
     Defect d;
     d.name = name_;
     d.warning = warning_;
-    d.message = std::string(incomplete_ ? "at least " : "") + std::to_string(rest_) +
-                " more of this kind, not listed" +
-                (incomplete_ ? "; the search was ended, correct those that are listed first" : "");
+    d.message = rest_ == 0 ? std::string("there may be more of this kind")
+                : incomplete_
+                    ? "at least " + std::to_string(rest_) + " more of this kind, not listed"
+                    : std::to_string(rest_) + " more of this kind, not listed";
+    if (incomplete_) d.message += "; the search was ended: correct those that are listed first";
     all->push_back(std::move(d));
   }
   defects_.clear();
