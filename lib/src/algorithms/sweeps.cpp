@@ -19,7 +19,8 @@ class InsertVertices final : public Stage {
     dt.reserve(2 * count);
     if (w.recorder.on()) {
       dt.insert_batch(0, count, [&](VertexId v) {
-        w.recorder.inserted(w.recorder.insertion(Reason::kInput), v, 0);
+        const Reason what = w.live.is_box_corner(v) ? Reason::kBox : Reason::kInput;
+        w.recorder.inserted(w.recorder.insertion(what), v, 0);
       });
     } else {
       dt.insert_batch(0, count, nullptr);  // the faster way

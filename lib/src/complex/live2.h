@@ -46,6 +46,11 @@ class Live2 {
 
   // --- vertices: each knows its feature from its birth
   const Feature& feature(VertexId v) const { return features_[v.value]; }
+  /// The corners of the box are the last four vertices of its complex.
+  bool is_box_corner(VertexId v) const {
+    const auto given = static_cast<std::uint32_t>(complex_->vertices.size());
+    return domain_ == Domain::kBox && v.value < given && v.value + 4 >= given;
+  }
   /// Appends a vertex (not inserted) with the smallest feature it lies on.
   VertexId add_vertex(const Point2& p, Feature feature);
   void pop_vertex();

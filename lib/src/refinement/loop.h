@@ -143,7 +143,7 @@ class Loop final : public Stage {
   void yield(Workspace& w, TriangleRef t, const Proposal& p) {
     bool queued = false;
     for (const SubsegmentId s : view_->encroached()) {
-      if (view_->subsegment(s).frozen) continue;
+      if (!view_->alive(s) || view_->subsegment(s).frozen) continue;
       queued = true;
       w.recorder.yielded(t, p.at, s);
       w.recorder.queued(s, {Reason::kYieldedTo, VertexId(), 0});

@@ -222,7 +222,10 @@ std::string describe(const Event& e, const std::vector<std::string>& steps) {
              " and " + std::to_string(e.other[1]) + ", which is queued instead.";
     case EventKind::kInserted: {
       const std::string vertex = "Vertex " + std::to_string(e.subject);
-      if (e.dimension == 0) return vertex + " of the input is inserted.";
+      if (e.dimension == 0) {
+        return vertex + (e.reason == Reason::kBox ? ", a corner of the box, is inserted."
+                                                  : " of the input is inserted.");
+      }
       std::string split = simplex_words(e);
       split[0] = 't';
       return vertex + " is inserted at the " + name(e.reason) + " of " + split + ", at distance " +
