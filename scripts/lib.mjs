@@ -55,9 +55,14 @@ const modified = (path) => (existsSync(path) ? statSync(path).mtimeMs : 0);
 /** Installs the npm packages of the lock file if they are missing or older than it. */
 export async function installModules() {
   const lock = modified(join(root, 'package-lock.json'));
-  if (modified(join(root, 'node_modules/.package-lock.json')) >= lock) return;
+  const installed = join(root, 'node_modules/.package-lock.json');
+  if (modified(installed) >= lock) return;
   console.log('Installing the npm packages of package-lock.json');
-  await must('npm', ['ci', '--no-audit', '--no-fund']);
+  // Not `npm ci`: it refuses the lock where a registry lacks the optional packages of other platforms. This installs
+  // what the lock says, too, and leaves the lock alone.
+  await must('npm', ['install', '--no-save', '--no-audit', '--no-fund']);
+  const now = new Date();
+  utimesSync(installed, now, now);
 }
 
 /** The newest modification of the files under some paths. */
