@@ -1,4 +1,5 @@
-// Whatever the bytes: reading, checking, a bounded run and writing never crash, and never take gigabytes.
+// Whatever the bytes: reading, checking, a bounded run and writing never crash, and never take
+// gigabytes.
 #include <cstddef>
 #include <cstdint>
 #include <string>
