@@ -54,10 +54,10 @@ using io_test::sample_complex;
 using io_test::sample_mesh;
 using io_test::SplitMix64;
 
-/// Bytes of memory that a byte of a file may cost: JSON's "[]," makes an array of its own out of
-/// three bytes, SVG's curves take up to 64 vertices and segments with their look-up for a dozen
-/// bytes.
-constexpr std::size_t kMultiple = 1000, kConstant = 200000;
+/// Bytes of memory that a byte of a file may cost, and bytes that any file may: JSON's "[]," makes
+/// an array of its own out of three bytes; SVG's curves make as many chords as the file has bytes,
+/// and 50,000 more.
+constexpr std::size_t kMultiple = 250, kConstant = 10000000;
 
 /// Valid files of every format, with the name and the siblings that they are read with.
 struct Seed {
@@ -206,6 +206,8 @@ TEST(Fuzz, FilesThatTryToBeExpensiveAreNot) {
       repeated(own, "{\"a\":0},", kSize) + "0]}",
       repeated("<svg><path d='M0 0", "A1 1 0 0 0 1 1 0 0", kSize) + "'/></svg>",
       repeated("<svg><path d='M0 0c", "9 9 9-9 1 0 ", kSize) + "'/></svg>",
+      repeated("<svg><path d='M0 0c", "9 9-9 9 .001 0 ", kSize) + "'/></svg>",
+      repeated("<svg><path d='M0 0a", "9 9 0 1 0 .001 0 ", kSize) + "'/></svg>",
       repeated("<svg>", "<circle r='9'/>", kSize) + "</svg>",
       repeated("<svg>", "<g>", kSize),
       repeated("v 0 0\n", "l 1 1\n", kSize),

@@ -118,6 +118,12 @@ TEST(SvgPath, ChordsOfBezierCurvesStayWithinTheStatedTolerance) {
   }
 }
 
+TEST(SvgPath, CurvesThatAskForMoreChordsThanTheFileHasBytesAreRefused) {
+  std::string data = "M0 0c";
+  for (int i = 0; i < 2000; ++i) data += "9 9-9 9 .001 0 ";
+  EXPECT_EQ(names(read(svg("<path d='" + data + "'/>"), "a.svg")), "too-large");
+}
+
 TEST(SvgPath, SmoothCommandsReflectTheLastControlPoint) {
   EXPECT_EQ(drawn("<path d='M0 0C0 4 4 4 4 0S8-4 8 0'/>").vertices,
             drawn("<path d='M0 0C0 4 4 4 4 0C4-4 8-4 8 0'/>").vertices);

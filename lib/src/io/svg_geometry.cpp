@@ -144,6 +144,7 @@ double Bounds::extent() const { return std::max(high_.x - low_.x, high_.y - low_
 /// Chords for a polynomial curve cut at equal steps of its parameter: the distance of a chord is at
 /// most factor * second_difference / n^2 (interpolation error with the largest second derivative).
 int Flattener::chord_count(double second_difference, double factor) const {
+  if (exhausted()) return 1;
   const double n = std::ceil(std::sqrt(factor * second_difference / tolerance_));
   return n >= 1 ? static_cast<int>(std::min<double>(n, kMaxChords)) : 1;  // also for NaN
 }
@@ -178,7 +179,7 @@ void Flattener::half_arc(const EllipseArc& arc, double radius, const Point2& fro
                          int chords) {
   const Point2 sum{from.x + to.x, from.y + to.y};
   // The chord's middle is cos(half the angle) = |sum| / 2 from the center of the unit circle.
-  if (radius * (1 - length(sum) / 2) > tolerance_ && 2 * chords <= kMaxChords) {
+  if (radius * (1 - length(sum) / 2) > tolerance_ && 2 * chords <= kMaxChords && !exhausted()) {
     const Point2 between = unit(sum);
     half_arc(arc, radius, from, between, 2 * chords);
     half_arc(arc, radius, between, to, 2 * chords);
@@ -196,6 +197,7 @@ void Flattener::arc(const EllipseArc& arc) {
 }
 
 void Flattener::end(bool closed) {
+  drawn_ += points_.size();
   if (points_.size() < 2) {  // nothing was drawn
     points_.clear();
     return;

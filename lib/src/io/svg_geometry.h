@@ -80,10 +80,14 @@ class Bounds : public OutlineSink {
 /// vertex.
 class Flattener : public OutlineSink {
  public:
-  Flattener(LineWork* lines, double extent)
+  /// `budget`: how many points may be drawn before curves are no longer cut.
+  Flattener(LineWork* lines, double extent, std::size_t budget)
       : lines_(*lines),
         tolerance_(kChordTolerance * extent),
-        closing_(kClosingTolerance * extent) {}
+        closing_(kClosingTolerance * extent),
+        budget_(budget) {}
+  /// Whether the budget was not enough: then the drawing is not what it should be.
+  bool exhausted() const { return drawn_ + points_.size() > budget_; }
   void begin(const Point2& p) override { points_.assign(1, p); }
   void line(const Point2& p) override { points_.push_back(p); }
   void quadratic(const Point2& control, const Point2& end) override;
@@ -98,6 +102,7 @@ class Flattener : public OutlineSink {
 
   LineWork& lines_;
   double tolerance_, closing_;
+  std::size_t budget_, drawn_ = 0;
   std::vector<Point2> points_;  // of the current subpath
 };
 

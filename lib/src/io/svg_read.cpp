@@ -15,6 +15,10 @@ namespace {
 
 using Tag = XmlTags::Tag;
 
+/// Chords that any drawing may have, beyond one for each of its bytes: a small file of large curves
+/// is no danger.
+constexpr std::size_t kFreeChords = 50000;
+
 template <std::size_t N>
 bool is_one_of(std::string_view name, const std::array<std::string_view, N>& names) {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -156,8 +160,15 @@ void read_svg(std::string_view bytes, ReadResult& result) {
   if (!Drawing(bytes, &bounds, &result).draw()) return;
   ReadResult again;  // the same defects and warnings once more
   LineWork lines(&result.complex);
-  Flattener flattener(&lines, bounds.extent());
+  Flattener flattener(&lines, bounds.extent(), bytes.size() + kFreeChords);
   Drawing(bytes, &flattener, &again).draw();
+  if (flattener.exhausted()) {
+    fail(result, "too-large",
+         "the curves would be cut into more chords than the file has bytes: flatten them, or draw "
+         "fewer that span "
+         "the whole drawing");
+    return;
+  }
   if (result.complex.vertices.empty())
     fail(result, "empty", "the drawing has no paths or shapes: convert text and images to paths");
 }
