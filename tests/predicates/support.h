@@ -25,7 +25,10 @@ class Random {
   }
   /// 0 to n - 1.
   int below(int n) { return static_cast<int>(bits() % static_cast<std::uint64_t>(n)); }
-  int between(int low, int high) { return low + below(high - low + 1); }
+  int between(int low, int high) {
+    const std::uint64_t count = static_cast<std::uint64_t>(std::int64_t{high} - low + 1);
+    return static_cast<int>(low + static_cast<std::int64_t>(bits() % count));
+  }
   /// Uniform in [-1, 1).
   double uniform() { return static_cast<double>(bits() >> 11) * 0x1p-52 - 1; }
   /// A mantissa of full length times 2^e, e uniform.
