@@ -56,6 +56,7 @@ export class Trace {
   readonly stepStarts: { step: number; event: number }[] = [];
   readonly queue = new QueueHistory();
 
+  private boxCorners = 0;
   private bytes = new Uint8Array(64 * 1024);
   private words = new Uint32Array(this.bytes.buffer);
   private doubles = new Float64Array(this.bytes.buffer);
@@ -121,9 +122,18 @@ export class Trace {
     this.queue.record(event);
     if (event.kind === Kind.inserted || event.kind === Kind.relabeled) {
       if (event.kind === Kind.inserted) this.bearVertex(event);
-      dead = event.other[0];
-      for (let k = 0; k < dead; k++, stream += 4) this.killTriangle(simplices, stream, i);
-      for (let k = 0; k < event.other[1]; k++, stream += 4) this.bearTriangle(simplices, stream, i);
+      const [deadCount, bornCount] = event.other;
+      const isRelabel = event.kind === Kind.relabeled;
+      const skipped = new Set<number>();
+      for (let k = 0; k < deadCount; k++, stream += 4) {
+        if (this.killTriangle(simplices, stream, i)) dead++;
+        // A relabeled triangle may be listed twice; it is one change.
+        else if (isRelabel) skipped.add(k);
+        else throw new Error(`event ${i}: a triangle died that never lived`);
+      }
+      for (let k = 0; k < bornCount; k++, stream += 4) {
+        if (!skipped.has(k)) this.bearTriangle(simplices, stream, i);
+      }
     }
     this.changeDead.push(dead);
     this.changeStart.push(this.changes.length);
@@ -147,12 +157,19 @@ export class Trace {
     this.coordinates.set(2 * v, event.at[0]);
     this.coordinates.set(2 * v + 1, event.at[1]);
     this.vertexRadius.set(v, event.value);
+    if (event.reason === Reason.box && ++this.boxCorners === 4) this.bearBox(event.index);
     if (event.dimension === 1 && event.simplex.length === 2) {
       const [a, b] = event.simplex as [number, number];
       this.killSubsegment(a, b, event.segment, event.index);
       this.bearSubsegment(a, v, event.segment, event.index);
       this.bearSubsegment(v, b, event.segment, event.index);
     }
+  }
+
+  /** The sides of the box are segments, too; no input lists them. */
+  private bearBox(event: number): void {
+    const first = this.input.vertexCount;
+    for (let i = 0; i < 4; i++) this.bearSubsegment(first + i, first + ((i + 1) % 4), NONE, event);
   }
 
   private bearTriangle(stream: Uint32Array, at: number, event: number): void {
@@ -168,14 +185,16 @@ export class Trace {
     this.changes.push(number);
   }
 
-  private killTriangle(stream: Uint32Array, at: number, event: number): void {
+  /** False if there is no such triangle. */
+  private killTriangle(stream: Uint32Array, at: number, event: number): boolean {
     const [a, b, c] = canonical(stream[at]!, stream[at + 1]!, stream[at + 2]!);
     const number = this.liveTriangles.take(a, b, c);
-    if (number < 0) throw new Error(`event ${event}: triangle ${a} ${b} ${c} died but never lived`);
+    if (number < 0) return false;
     this.triangleDied.data[number] = event;
     this.changes.push(number);
     // A relabeled triangle is born again at once and keeps its place in the queue.
     if (this.kind(event) === Kind.inserted) this.queue.died(a, b, c, event);
+    return true;
   }
 
   /** The input's segments count as born by event 0: with the first vertex they are there. */
