@@ -121,6 +121,11 @@ export const texts = {
     ghost: 'point that was not inserted',
     yielding: 'yields to',
   },
+  unresolved: {
+    title: 'Left as it is',
+    hint: 'Still unacceptable when the run ended, and why it was not split:',
+    near: 'near',
+  },
   prove: {
     title: 'Prove',
     invite: 'The core checks what the algorithm promises, on the finished mesh.',
