@@ -48,7 +48,15 @@ const countOne = ({ code }) => ({ passed: code === 0 ? 1 : 0, failed: code === 0
 
 const build = (preset, ...targets) => [
   ['cmake', '--preset', preset],
-  ['cmake', '--build', '--preset', preset, '-j', jobs, ...targets.flatMap((t) => ['--target', t])],
+  [
+    'cmake',
+    '--build',
+    '--preset',
+    preset,
+    '-j',
+    jobs,
+    ...targets.flatMap((t) => ['--target', t]),
+  ].concat(['--', '-k', '0']),
 ];
 const ctest = (preset) => ['ctest', '--preset', preset, '--verbose', '-j', jobs];
 
@@ -143,8 +151,13 @@ for (const [index, [group, title, action, count]] of parts.entries()) {
   const verdict = failed > 0 || empty ? 'FAILED' : 'ok';
   console.log(`${verdict.padEnd(6)} ${title}: ${passed} passed, ${failed} failed (${seconds} s)`);
   if (failed > 0 || empty) {
-    const lines = result.output.split('\n').map((line) => line.slice(0, 300));
-    console.log(lines.slice(-150).join('\n'));
+    const lines = result.output.split('\n').filter((line) => !/^\[\d+\/\d+\] \w+ing /.test(line));
+    console.log(
+      lines
+        .slice(-150)
+        .map((line) => line.slice(0, 300))
+        .join('\n'),
+    );
     if (existsSync(log)) console.log(`all of it: ${log}`);
   }
 }

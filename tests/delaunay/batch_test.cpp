@@ -109,7 +109,8 @@ TEST(Batch, ReportsDuplicatesAndKeepsTheLowestNumber) {
                    : d.insert_batch(0, 300, nullptr);
       std::uint32_t expected = 0;
       for (std::uint32_t v = 0; v < 300; ++v) {
-        const auto first = std::find(points.begin(), points.end(), points[v]) - points.begin();
+        const auto first = static_cast<std::uint32_t>(
+            std::find(points.begin(), points.end(), points[v]) - points.begin());
         EXPECT_EQ(d.inserted(VertexId(v)), first == v) << name(kind);
         if (first == v) continue;
         ASSERT_LT(expected, duplicates.size()) << name(kind);
