@@ -56,7 +56,8 @@ const build = (preset, ...targets) => [
     '-j',
     jobs,
     ...targets.flatMap((t) => ['--target', t]),
-  ].concat(['--', '-k', '0']),
+    ...['--', '-k', '0'], // every error at once, not the first
+  ],
 ];
 const ctest = (preset) => ['ctest', '--preset', preset, '--verbose', '-j', jobs];
 
