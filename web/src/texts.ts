@@ -60,9 +60,13 @@ export const texts = {
   queue: {
     empty: 'The queue is empty.',
     more: (n: number) => `and ${formatCount(n)} more`,
-    length: (n: number, segments: number) =>
-      `${formatCount(n)} waiting` +
-      (segments > 0 ? `, ${formatCount(segments)} of them subsegments` : ''),
+    length: (n: number, segments: number) => {
+      if (segments === n) return `${formatCount(n)} waiting, all subsegments`;
+      return (
+        `${formatCount(n)} waiting` +
+        (segments > 0 ? `, ${formatCount(segments)} of them subsegments` : '')
+      );
+    },
   },
   transport: {
     play: 'Play',

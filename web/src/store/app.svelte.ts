@@ -95,6 +95,7 @@ export class App {
       if (then.play) this.playback.play();
     });
     if (this.run.phase === 'failed') this.failed();
+    else if (this.run.error !== '') this.say(this.describeLoss(this.run.error), 'bad');
     else if (then.moment !== undefined) this.playback.seek(then.moment);
     else if (!then.play && this.playback.position === 0) this.playback.seek(this.playback.length);
   }
@@ -171,7 +172,12 @@ export class App {
   }
 
   private coreLost(loss: CoreLoss): void {
-    this.say(loss === 'hung' ? texts.run.hung : texts.run.crashed, 'bad');
+    this.say(this.describeLoss(loss), 'bad');
+  }
+
+  private describeLoss(error: string): string {
+    if (error === 'hung') return texts.run.hung;
+    return error === 'crashed' ? texts.run.crashed : error;
   }
 }
 

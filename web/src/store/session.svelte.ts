@@ -24,7 +24,6 @@ export async function enter(app: App): Promise<void> {
   const first = examples[0];
   if (!first || app.coreError) return;
   await openExample(app, first, { first: true });
-  if (!app.settings.tourSeen) app.settings.tourSeen = true;
 }
 
 async function follow(app: App): Promise<boolean> {
@@ -93,7 +92,7 @@ export function keepSaved(app: App): void {
   });
   $effect(() => {
     void [app.settings.theme, app.settings.color, app.settings.overlays, app.settings.speed];
-    void [app.settings.legendOpen, app.settings.singleKeys, app.settings.tourSeen];
+    void [app.settings.legendOpen, app.settings.singleKeys];
     app.settings.save();
   });
   $effect(() => {

@@ -25,7 +25,6 @@ export class Settings {
   speed = $state(6);
   panelOpen = $state(true);
   legendOpen = $state(true);
-  tourSeen = $state(false);
   /** Shortcuts of a single character; speech input can trip over them (WCAG 2.1.4). */
   singleKeys = $state(true);
 
@@ -49,7 +48,6 @@ export class Settings {
       if (saved.speed >= 1 && saved.speed <= 1e5) this.speed = saved.speed;
       if (typeof saved.legendOpen === 'boolean') this.legendOpen = saved.legendOpen;
       if (typeof saved.singleKeys === 'boolean') this.singleKeys = saved.singleKeys;
-      if (typeof saved.tourSeen === 'boolean') this.tourSeen = saved.tourSeen;
       if (typeof saved.overlays === 'object')
         this.overlays = { ...defaultOverlays, ...saved.overlays, highlight: null };
     } catch {
@@ -58,12 +56,12 @@ export class Settings {
   }
 
   save(): void {
-    const { theme, color, speed, legendOpen, tourSeen, singleKeys } = this;
+    const { theme, color, speed, legendOpen, singleKeys } = this;
     const overlays = { ...this.overlays, highlight: null };
     try {
       localStorage.setItem(
         KEY,
-        JSON.stringify({ theme, color, speed, legendOpen, tourSeen, singleKeys, overlays }),
+        JSON.stringify({ theme, color, speed, legendOpen, singleKeys, overlays }),
       );
     } catch {
       // Full or closed: preferences last for this visit.
