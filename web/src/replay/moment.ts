@@ -60,7 +60,8 @@ export function ruleOf(e: TraceEvent): RuleName | null {
 }
 
 function witnessOf(e: TraceEvent): number | null {
-  const hasWitness = e.kind === Kind.queued && e.reason === Reason.encroached;
+  const hasWitness =
+    e.kind === Kind.queued && (e.reason === Reason.encroached || e.reason === Reason.witness);
   return hasWitness && e.subject !== NONE ? e.subject : null;
 }
 

@@ -45,6 +45,8 @@ function queued(e: TraceEvent, name: string): string {
       return e.subject === NONE
         ? `${it} is unacceptable: a vertex lies inside its diametral disk.`
         : `${it} is unacceptable: vertex ${e.subject} lies inside its diametral disk.`;
+    case Reason.witness:
+      return `${it} is unacceptable: vertex ${e.subject} is a 1-feature size witness inside its diametral disk.`;
     case Reason.missing:
       return `${it} is unacceptable: it is not an edge of the Delaunay triangulation.`;
     case Reason.radiusEdge:
@@ -76,6 +78,8 @@ function inserted(e: TraceEvent, name: string): string {
       return `${vertex} is inserted at the midpoint of ${name}.${radius}`;
     case Reason.division:
       return `${vertex} is inserted to divide ${name} into equal parts.${radius}`;
+    case Reason.collar:
+      return `${vertex} is inserted on ${name}, at the distance that protects its acute angle.${radius}`;
     case Reason.offCenter:
       return `${vertex} is inserted at the off-center of ${name}.${radius}`;
     case Reason.circumcenter:
@@ -131,6 +135,8 @@ export function reasonInBrief(e: TraceEvent): string {
   switch (e.reason) {
     case Reason.encroached:
       return e.subject === NONE ? 'encroached' : `encroached by vertex ${e.subject}`;
+    case Reason.witness:
+      return `vertex ${e.subject} is a witness`;
     case Reason.missing:
       return 'not an edge';
     case Reason.radiusEdge:
