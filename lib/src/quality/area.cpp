@@ -15,8 +15,12 @@ void add_twice_area(const VerifyContext& context, const VerifyContext::Cell& c, 
   }
 }
 
-/// Area of the convex hull of points in lexicographic order (Andrew's chain, exact turns).
-double hull_area(const std::vector<Point2>& points) {
+/// Area of the convex hull of the vertices (Andrew's chain, exact turns).
+double hull_area(const PlanarView& view) {
+  std::vector<Point2> points;  // in lexicographic order; seeds are no vertices
+  for (std::size_t k = 0; k < view.points.size(); ++k) {
+    if (view.vertex[k] != kNoIndex) points.push_back(view.points[k]);
+  }
   std::vector<Point2> hull;
   for (int pass = 0; pass < 2; ++pass) {
     const std::size_t base = hull.size();
@@ -181,7 +185,7 @@ Check check_area(const VerifyContext& context) {
         "input segments cross, overlap or have vertices in their interiors: they bound no domain";
     return check;
   }
-  const double expected = hull_area(context.view.points);
+  const double expected = hull_area(context.view);
   ProductSum twice;
   for (const auto& c : context.cells) add_twice_area(context, c, &twice);
   const double observed = 0.5 * twice.value();
