@@ -40,6 +40,16 @@ std::string settle_sizing(const Complex& complex, const std::string& text, Setti
   return "";
 }
 
+/// Whether the box lies strictly around the input, in the range of coordinates.
+bool box_fits(const Complex& complex, double scale) {
+  const Complex boxed = with_box(complex, scale);
+  const Point3 &low = *(boxed.vertices.end() - 4), &high = *(boxed.vertices.end() - 2);
+  for (const Point3& p : complex.vertices) {
+    if (!(low.x < p.x && p.x < high.x && low.y < p.y && p.y < high.y)) return false;
+  }
+  return low.x >= -1e55 && low.y >= -1e55 && high.x <= 1e55 && high.y <= 1e55;
+}
+
 /// Fills in the defaults and checks the ranges of the registry. An empty answer, or what is wrong.
 std::string settle(const Complex& complex, Options* options, Settings* settings) {
   if (options->algorithm.empty()) options->algorithm = default_algorithm(complex);
@@ -112,6 +122,10 @@ std::string settle(const Complex& complex, Options* options, Settings* settings)
            "`hull`";
   }
   settings->domain = options->domain;
+  if (options->domain == Domain::kBox && !box_fits(complex, number("box-scale"))) {
+    return "the box cannot be represented: its corners would be beyond 1e55, or too near to the "
+           "input for double precision; move or scale the input, or use the domain `hull`";
+  }
   if (info->id == "chew" && settings->size == 0) {
     settings->size = default_division_length(complex);
     if (!std::isfinite(settings->size)) settings->size = 1;  // a single vertex

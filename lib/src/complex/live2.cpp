@@ -1,6 +1,7 @@
 #include "complex/live2.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "circumball/predicates.h"
 
@@ -303,7 +304,9 @@ Complex with_box(const Complex& complex, double scale) {
     high = {std::max(high.x, p.x), std::max(high.y, p.y), 0};
   }
   double extent = std::max(high.x - low.x, high.y - low.y);
-  if (extent == 0) extent = 1;  // a single vertex: any box will do
+  if (extent == 0) {  // a single vertex: any box will do whose corners are other points
+    extent = std::max({1.0, 0x1p-20 * std::abs(low.x), 0x1p-20 * std::abs(low.y)});
+  }
   const double half = 0.5 * scale * extent;
   const Point2 center{0.5 * (low.x + high.x), 0.5 * (low.y + high.y)};
   const auto first = static_cast<std::uint32_t>(boxed.vertices.size());
