@@ -39,16 +39,25 @@ void Live2::commit(VertexId v, std::uint32_t splitting) {
 void Live2::create_subsegments() {
   const auto& segments = complex_->segments;
   subsegments_.reserve(2 * segments.size());
+  // Of segments given twice (a warning of `check`) the first counts.
+  std::vector<std::array<std::uint32_t, 3>> missing;  // ends in order, number
   for (std::uint32_t i = 0; i < segments.size(); ++i) {
     const SubsegmentId s(static_cast<std::uint32_t>(subsegments_.size()));
     subsegments_.push_back({VertexId(segments[i][0]), VertexId(segments[i][1]), SegmentId(i)});
-    // Of segments given twice (a warning of `check`) the first counts.
     const HalfEdge h = edge_of(s);
-    if (h != kNone && triangulation_.tag(h) != kNone) {
+    if (h == kNone) {
+      const auto [low, high] = std::minmax(segments[i][0], segments[i][1]);
+      missing.push_back({low, high, i});
+    } else if (triangulation_.tag(h) != kNone) {
       subsegments_.back().alive = false;
-    } else if (h != kNone) {
+    } else {
       triangulation_.set_tag(h, s.value);
     }
+  }
+  std::sort(missing.begin(), missing.end());
+  for (std::size_t k = 1; k < missing.size(); ++k) {
+    const auto &first = missing[k - 1], &second = missing[k];
+    if (first[0] == second[0] && first[1] == second[1]) subsegments_[second[2]].alive = false;
   }
 }
 
