@@ -217,6 +217,13 @@ void Live2::classify() {
     if (dt.dimension() < 2) return;
     const TriangleId start = dt.locate(xy(seed), kNone);
     if (start == kNone || dt.triangle(start).label != kInside) return;
+    for (unsigned i = 0; i < 3; ++i) {  // a seed on a segment means neither side (see `check`)
+      const HalfEdge h = 4 * start + i;
+      if (dt.tag(h) != kNone &&
+          orient2d(dt.point(dt.origin(h)), dt.point(dt.target(h)), xy(seed)) == Sign::kZero) {
+        return;
+      }
+    }
     dt.set_label(start, label);
     stack_.assign(1, start);
     while (!stack_.empty()) {
