@@ -203,7 +203,10 @@ struct Run::Impl {
 
   /// The domain is settled, and traced, whatever stopped the run.
   void settle_domain() {
-    if (!live.classified()) live.classify();
+    // Floods leak where subsegments are missing: a run that ends so counts levels once more.
+    if (!live.classified() || (live.domain() == Domain::kClosed && !live.conforms())) {
+      live.classify();
+    }
     const Delaunay2& dt = live.triangulation();
     for (TriangleId t = 0; t < dt.slot_count(); ++t) {
       if (dt.alive(t)) live.in_domain(t);

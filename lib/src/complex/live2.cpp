@@ -27,12 +27,17 @@ void Live2::pop_vertex() {
 void Live2::commit(VertexId v, std::uint32_t splitting) {
   triangulation_.commit(v, splitting);
   if (!classified_) return;
-  for (const Delaunay2::Triangle& t : triangulation_.died()) {
-    if (t.label != kUnknown) continue;
-    for (const TriangleId u : triangulation_.born()) {
-      if (!triangulation_.is_ghost(u)) triangulation_.set_label(u, kUnknown);
-    }
-    return;
+  const auto& died = triangulation_.died();
+  if (died.empty()) return;
+  bool known = true, alike = true;
+  for (const Delaunay2::Triangle& t : died) {
+    known = known && t.label != kUnknown;
+    alike = alike && t.label == died[0].label;
+  }
+  if (known && !alike) return;  // inherited, or lost to a swallowed subsegment
+  const std::uint32_t label = known ? died[0].label : std::uint32_t{kUnknown};
+  for (const TriangleId u : triangulation_.born()) {
+    if (!triangulation_.is_ghost(u)) triangulation_.set_label(u, label);
   }
 }
 
@@ -188,9 +193,40 @@ void Live2::flood_levels(const std::vector<std::uint8_t>& crossed) {
     }
   }
   for (TriangleId t = 0; t < slots; ++t) {
-    if (!dt.alive(t) || crossed[t]) continue;
+    if (!dt.alive(t)) continue;
+    if (crossed[t]) {
+      dt.set_label(t, kUnknown);
+      continue;
+    }
     const bool inside = level[t] != kNone && (parity ? level[t] % 2 == 1 : level[t] >= 1);
     dt.set_label(t, inside ? kInside : kOutside);
+  }
+}
+
+void Live2::label_crossed(const std::vector<std::uint8_t>& crossed) {
+  Delaunay2& dt = triangulation_;
+  // From the domain first, so that what it reaches is meshed; then from outside; then what nothing
+  // reaches: it is enclosed on all sides.
+  for (const bool from_inside : {true, false}) {
+    stack_.clear();
+    for (TriangleId t = 0; t < crossed.size(); ++t) {
+      if (crossed[t] || (dt.triangle(t).label == kOutside) == from_inside) continue;
+      stack_.push_back(t);
+    }
+    while (!stack_.empty()) {
+      const TriangleId t = stack_.back();
+      stack_.pop_back();
+      for (unsigned i = 0; i < 3; ++i) {
+        const HalfEdge h = 4 * t + i;
+        const TriangleId u = dt.twin(h) / 4;
+        if (!crossed[u] || dt.triangle(u).label != kUnknown || dt.tag(h) != kNone) continue;
+        dt.set_label(u, dt.triangle(t).label);
+        stack_.push_back(u);
+      }
+    }
+  }
+  for (TriangleId t = 0; t < crossed.size(); ++t) {
+    if (crossed[t] && dt.triangle(t).label == kUnknown) dt.set_label(t, kInside);
   }
 }
 
@@ -244,15 +280,7 @@ void Live2::classify() {
   for (std::uint32_t i = 0; i < complex_->regions.size(); ++i) {
     flood(complex_->regions[i].at, kFirstRegion + i);
   }
-  for (TriangleId t = 0; t < slots; ++t) {  // those that a missing subsegment crosses
-    if (!crossed[t] || !dt.alive(t)) continue;
-    std::uint32_t label = kOutside;
-    for (unsigned i = 0; i < 3 && label == kOutside; ++i) {
-      const TriangleId u = dt.twin(4 * t + i) / 4;
-      if (!crossed[u]) label = dt.triangle(u).label;
-    }
-    dt.set_label(t, label);
-  }
+  label_crossed(crossed);
   classified_ = true;
   for (TriangleId t = 0; t < before.size(); ++t) {
     if (!dt.alive(t) || dt.is_ghost(t) || dt.triangle(t).label == before[t]) continue;
@@ -304,6 +332,13 @@ bool Live2::in_domain(TriangleId t) {
     for (const TriangleId u : piece) relabel(u, kUnknown, label);
   }
   return label != kOutside;
+}
+
+bool Live2::conforms() const {
+  for (std::uint32_t i = 0; i < subsegment_count(); ++i) {
+    if (subsegments_[i].alive && edge_of(SubsegmentId(i)) == kNone) return false;
+  }
+  return true;
 }
 
 std::size_t Live2::bytes() const {

@@ -56,8 +56,8 @@ class Live2 {
   void pop_vertex();
 
   /// Inserts v into the cavity just probed, splitting the subsegment whose tag is `splitting`.
-  /// Where the cavity swallowed a subsegment, or held triangles that have no label, the new
-  /// triangles have none either.
+  /// Where all that dies has one label, so has what is born. Else, where the cavity swallowed a
+  /// subsegment, or held triangles that have no label, the new triangles have none either.
   void commit(VertexId v, std::uint32_t splitting);
 
   // --- subsegments
@@ -80,9 +80,11 @@ class Live2 {
   // --- domain
   /// Labels every triangle by flooding from outside across untagged edges (levels: see HoleRule).
   /// Triangles that a missing subsegment crosses are not flooded through; they belong to the domain
-  /// if a neighbor does.
+  /// where it reaches them through other such triangles.
   void classify();
   bool classified() const { return classified_; }
+  /// Whether every subsegment is an edge: only then do subsegments keep labels apart. O(n).
+  bool conforms() const;
   /// Whether t is in the domain. Finds a lost label again by a local flood.
   bool in_domain(TriangleId t);
   /// As it stands, without repair: kUnknown counts as inside.
@@ -108,6 +110,7 @@ class Live2 {
  private:
   void relabel(TriangleId t, std::uint32_t before, std::uint32_t label);
   void flood_levels(const std::vector<std::uint8_t>& crossed);
+  void label_crossed(const std::vector<std::uint8_t>& crossed);
   void mark_crossed(SubsegmentId s, std::vector<std::uint8_t>* crossed) const;
 
   const Complex* complex_;
