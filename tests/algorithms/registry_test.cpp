@@ -46,7 +46,8 @@ TEST(Registry, JsonHoldsWhatTheRegistryHolds) {
   }
 }
 
-TEST(DefaultAlgorithm, IsRuppertWithoutSmallAngles) {
+TEST(DefaultAlgorithm, IsRuppertUnlessAnAngleIsSmall) {
+  EXPECT_EQ(default_algorithm(testing::polygon({{0, 0}, {1, 0}, {1, 0.5}})), "collar");
   EXPECT_EQ(default_algorithm(testing::unit_square()), "ruppert");
 }
 

@@ -42,6 +42,7 @@ enum class Reason : std::uint8_t {
   kTooLong = 6,     ///< the subsegment is longer than the algorithm allows: `value` = length
   kYieldedTo = 7,   ///< a circumcentre yielded to it
   kReturned = 8,    ///< its circumcentre yielded: it waits for that split at the head of the queue
+  kWitness = 9,     ///< `subject` lies in its diametral disk and is a 1-feature size witness for it
   // where a vertex was inserted
   kInput = 16,         ///< an input vertex (step 0)
   kBox = 17,           ///< a corner of the box
@@ -49,6 +50,7 @@ enum class Reason : std::uint8_t {
   kCircumcenter = 19,  ///< circumcentre of a triangle
   kOffCenter = 20,     ///< off-centre of a triangle
   kDivision = 21,      ///< one of the points that divide a segment into equal parts
+  kCollar = 22,        ///< on a segment at an acute input angle, at the distance that protects it
   // why a simplex was refused
   kOutsideDomain = 32,  ///< its circumcentre lies outside what is meshed
   kProtected = 33,      ///< only protected simplices are in the way

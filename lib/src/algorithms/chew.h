@@ -11,6 +11,7 @@ namespace circumball {
 /// input that suits the algorithm nothing is.
 struct Recover {
   static constexpr bool kTriangles = false;
+  static constexpr bool kLooksAtNeighbors = false;
   using Triangles = TrianglesByBirth;
   Verdict unacceptable(const View& view, SubsegmentId s) const { return view.missing(s); }
   Verdict unacceptable(const View&, TriangleRef) const { return {}; }

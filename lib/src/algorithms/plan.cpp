@@ -3,6 +3,9 @@
 #include <utility>
 
 #include "algorithms/chew.h"
+#include "algorithms/collar.h"
+#include "algorithms/feature_size.h"
+#include "algorithms/protect.h"
 #include "algorithms/ruppert.h"
 #include "algorithms/sweeps.h"
 #include "refinement/loop.h"
@@ -28,6 +31,18 @@ std::vector<std::unique_ptr<Stage>> plan(const Settings& settings) {
     rules.size = settings.size;
     rules.sizing = settings.sizing;
     steps.push_back(loop("2", "Ruppert's algorithm", rules));
+  } else if (settings.algorithm == "feature-size") {
+    steps.push_back(loop("1a", "Estimate the feature size at all input vertices", FeatureSize{}));
+    steps.push_back(classify_triangles());
+  } else if (settings.algorithm == "collar") {
+    steps.push_back(protect_acute_angles(settings.protection, settings.protect_all));
+    steps.push_back(loop("1c", "Split encroached segments", ConformWithCollar{}));
+    steps.push_back(classify_triangles());
+    Collar rules;
+    rules.tau = settings.tau;
+    rules.size = settings.size;
+    rules.sizing = settings.sizing;
+    steps.push_back(loop("2", "Ruppert's algorithm, protected", rules));
   } else if (settings.algorithm == "chew") {
     steps.push_back(divide_segments(settings.size));
     steps.push_back(loop("1b", "Recover segments that are no edges", Recover{}));

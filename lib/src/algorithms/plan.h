@@ -18,6 +18,8 @@ struct Settings {
   double tau = 0;
   double size = 0;                       ///< bound on the circumradius; 0: none
   std::shared_ptr<const Sizing> sizing;  ///< the same, where it is not a number
+  double protection = 0.45;              ///< distance of the collar, in N(q0)
+  bool protect_all = false;  ///< at every input vertex, not only at those of acute angles
 };
 
 /// The steps of an algorithm, in order: the driver is this list. Step names are the thesis' where

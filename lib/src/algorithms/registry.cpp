@@ -56,6 +56,51 @@ std::vector<AlgorithmInfo> make_registry() {
                     "area",     "radius-edge", "nearest-neighbor", "size"};
   ruppert.default_domain = "closed";
 
+  AlgorithmInfo feature_size;
+  feature_size.id = "feature-size";
+  feature_size.title = "Feature size estimate";
+  feature_size.thesis = "Algorithm 3.2";
+  feature_size.action = "Insert the circumcenter of a segment.";
+  feature_size.priority = "Segments may be processed in any order.";
+  feature_size.unacceptability =
+      "A segment $s$ is unacceptable if it has an endpoint $q$ with a Delaunay neighbor $p$ inside "
+      "the diametral disk of $s$ and either $p$ is a 1-feature size witness for $s$ or $s$ is more "
+      "than twice the length of the shortest segment in $\\mathrm{Spind}(s)$.";
+  feature_size.safety = "It is safe to split any simplex.";
+  feature_size.parameters = {box};
+  feature_size.guarantee =
+      "It ends for every complex, whatever its angles. At every input vertex $\\frac12 "
+      "\\mathrm{lfs}(q_0) \\le N(q_0) \\le \\sqrt 2\\,\\mathrm{lfs}(q_0)$ (Theorems 3.2 and 3.3).";
+  feature_size.checks = {"topology", "delaunay", "input-vertices", "nearest-neighbor",
+                         "nearest-neighbor-lower"};
+  feature_size.default_domain = "hull";
+
+  AlgorithmInfo collar = ruppert;
+  collar.id = "collar";
+  collar.title = "Refinement with collars";
+  collar.thesis = "Algorithm 5.2";
+  collar.action =
+      "Insert the circumcenter of a simplex. A triangle's circumcenter that encroaches upon a "
+      "segment yields to it.";
+  collar.priority = "Encroached segments are given higher priority than poor quality triangles.";
+  collar.unacceptability =
+      "Any segment with a nonempty diametral disk is unacceptable. Any triangle $t$ with "
+      "$\\mathrm{RE}(t) > \\tau$ is unacceptable.";
+  collar.safety =
+      "Collar simplices (the end segments at acute input angles, made equal first) are not safe to "
+      "split; a circumcenter in the diametral disk of one is refused.";
+  collar.parameters.push_back(
+      {"protection", "0.45", "0.01", "0.49",
+       "distance of the collar from its input vertex, in N(q0); below 1/2"});
+  collar.parameters.push_back(
+      {"protect", "acute", "acute|all", "", "which input vertices are protected"});
+  collar.guarantee =
+      "It ends for every complex and $\\tau > \\sqrt 2$; the mesh conforms and is graded to the "
+      "local feature size, and the circumcenter of every triangle with $\\mathrm{RE}(t) > \\tau$ "
+      "lies in the diametral disk of a collar simplex (Theorems 5.6 and 5.7).";
+  collar.checks = {"topology", "delaunay", "input-vertices", "input-segments",
+                   "area",     "collar",   "radius-edge",    "size"};
+
   AlgorithmInfo chew;
   chew.id = "chew";
   chew.title = "Chew's first algorithm";
@@ -78,7 +123,7 @@ std::vector<AlgorithmInfo> make_registry() {
                  "area",     "size",     "min-angle"};
   chew.default_domain = "closed";
 
-  return {delaunay, ruppert, chew};
+  return {delaunay, ruppert, chew, feature_size, collar};
 }
 
 /// Numbers as numbers, all else as text.

@@ -68,6 +68,10 @@ std::string settle(const Complex& complex, Options* options, Settings* settings)
       return "algorithm '" + info->id + "' has no parameter '" + name + "'";
     }
     double value, low, high;
+    if (known->min.find('|') != std::string::npos) {  // a choice
+      if (("|" + known->min + "|").find("|" + text + "|") != std::string::npos) continue;
+      return "'" + name + "' must be one of " + known->min;
+    }
     if (name == "size" && info->id != "chew" && !parse_number(text, &value)) {
       const std::string error = settle_sizing(complex, text, settings);
       if (!error.empty()) return error;
@@ -91,6 +95,8 @@ std::string settle(const Complex& complex, Options* options, Settings* settings)
   };
   settings->algorithm = info->id;
   settings->size = number("size");
+  if (values.count("protection")) settings->protection = number("protection");
+  settings->protect_all = values.count("protect") && values["protect"] == "all";
   if (options->tau && !(*options->tau >= 0.6 && *options->tau <= 1000)) {
     return "tau must be between 0.6 and 1000";
   }

@@ -13,6 +13,7 @@ namespace circumball {
 /// conforms. Subsegments have priority over triangles, so that running this first changes nothing.
 struct Conform {
   static constexpr bool kTriangles = false;
+  static constexpr bool kLooksAtNeighbors = false;
 
   /// Priority: ties by birth.
   using Triangles = TrianglesByBirth;

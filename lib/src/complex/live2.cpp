@@ -66,6 +66,15 @@ void Live2::create_subsegments() {
   }
 }
 
+void Live2::track_incidence() {
+  incident_.assign(triangulation_.vertex_count(), {});
+  for (std::uint32_t i = 0; i < subsegment_count(); ++i) {
+    if (!subsegments_[i].alive) continue;
+    incident_[subsegments_[i].a.value].push_back(SubsegmentId(i));
+    incident_[subsegments_[i].b.value].push_back(SubsegmentId(i));
+  }
+}
+
 bool Live2::tag_edge(SubsegmentId s) {
   const HalfEdge h = edge_of(s);
   if (h == kNone) return false;
@@ -80,6 +89,14 @@ std::array<SubsegmentId, 2> Live2::split(SubsegmentId s, VertexId m) {
   const SubsegmentId left(subsegment_count()), right(subsegment_count() + 1);
   subsegments_.push_back(first);  // `old` dangles from here on
   subsegments_.push_back(second);
+  if (!incident_.empty()) {
+    auto& at_a = incident_[first.a.value];
+    auto& at_b = incident_[second.b.value];
+    *std::find(at_a.begin(), at_a.end(), s) = left;
+    *std::find(at_b.begin(), at_b.end(), s) = right;
+    incident_.resize(triangulation_.vertex_count());
+    incident_[m.value] = {left, right};
+  }
   tag_edge(left);
   tag_edge(right);
   // m is rounded: where another vertex is as near to the subsegment as m, the old edge may have
@@ -291,6 +308,17 @@ void Live2::classify() {
 void Live2::relabel(TriangleId t, std::uint32_t before, std::uint32_t label) {
   triangulation_.set_label(t, label);
   if (tracking_) relabeled_.push_back({t, before});
+}
+
+std::vector<Live2::Relabeled> Live2::take_relabeled() {
+  std::vector<Relabeled> all = std::exchange(relabeled_, {});
+  const auto by_triangle = [](const Relabeled& p, const Relabeled& q) {
+    return p.triangle < q.triangle;
+  };
+  std::stable_sort(all.begin(), all.end(), by_triangle);
+  const auto same = [](const Relabeled& p, const Relabeled& q) { return p.triangle == q.triangle; };
+  all.erase(std::unique(all.begin(), all.end(), same), all.end());
+  return all;
 }
 
 bool Live2::in_domain(TriangleId t) {

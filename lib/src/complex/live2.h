@@ -20,7 +20,8 @@ struct Subsegment {
   VertexId a, b;
   SegmentId segment;  ///< the input segment (of the complex with its box) that it lies on
   bool alive = true;
-  bool frozen = false;  ///< it was refused for good: nothing yields to it any more
+  bool frozen = false;     ///< it was refused for good: nothing yields to it any more
+  bool is_collar = false;  ///< a collar simplex (thesis, 5.2.1): never split
 };
 
 /// What a triangle's label says. Regions get kFirstRegion + their index.
@@ -64,6 +65,11 @@ class Live2 {
   std::uint32_t subsegment_count() const { return static_cast<std::uint32_t>(subsegments_.size()); }
   const Subsegment& subsegment(SubsegmentId s) const { return subsegments_[s.value]; }
   void freeze(SubsegmentId s) { subsegments_[s.value].frozen = true; }
+  void make_collar(SubsegmentId s) { subsegments_[s.value].is_collar = true; }
+  /// Keeps the list of subsegments at each vertex from now on (feature sizes want it; it costs
+  /// memory).
+  void track_incidence();
+  const std::vector<SubsegmentId>& subsegments_at(VertexId v) const { return incident_[v.value]; }
   /// The half-edge from a to b, or kNone where the subsegment is not an edge of the triangulation.
   HalfEdge edge_of(SubsegmentId s) const {
     const Subsegment& u = subsegments_[s.value];
@@ -102,8 +108,8 @@ class Live2 {
     std::uint32_t before;
   };
   void track_labels() { tracking_ = true; }
-  /// Those since the last call.
-  std::vector<Relabeled> take_relabeled() { return std::exchange(relabeled_, {}); }
+  /// Those since the last call, each once, with the label that it had then.
+  std::vector<Relabeled> take_relabeled();
 
   std::size_t bytes() const;
 
@@ -119,6 +125,7 @@ class Live2 {
   std::vector<Feature> features_;
   std::vector<Subsegment> subsegments_;
   bool classified_ = false;
+  std::vector<std::vector<SubsegmentId>> incident_;  // by vertex; empty if not tracked
   bool tracking_ = false;
   std::vector<Relabeled> relabeled_;
   std::vector<TriangleId> stack_;  // scratch of the local flood

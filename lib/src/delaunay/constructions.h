@@ -10,6 +10,11 @@
 /// each says its error.
 namespace circumball {
 
+/// Lengths of constructed pieces (thesis, chapters 3 and 4), and balls whose vertices were rounded
+/// onto arcs (chapter 5), are compared strictly with this relative slack: such positions are
+/// rounded anyway, and ties are the norm.
+constexpr double kLengthSlack = 1 + 1e-10;
+
 inline double squared_distance(const Point2& a, const Point2& b) {
   const double dx = a.x - b.x, dy = a.y - b.y;
   return dx * dx + dy * dy;

@@ -1,4 +1,6 @@
 #include <cmath>
+#include <limits>
+#include <string>
 
 #include "complex/box_tree.h"
 #include "feature_size/feature_size.h"
@@ -8,13 +10,13 @@ namespace circumball {
 namespace {
 /// Both sides are distances of a few ulp accuracy, and equality is attained (thesis, Theorem 2.3).
 constexpr double kSlack = 1e-10;
-}  // namespace
 
+/// One side of 1/2 lfs(q0) <= N(q0) <= sqrt 2 lfs(q0): the most that N / lfs, or the least, is.
 /// Features that a closed domain does not touch are left alone by the mesher: they do not count.
-Check check_nearest_neighbor(const VerifyContext& context) {
+Check check_side(const VerifyContext& context, bool upper) {
   Check check;
-  check.name = "nearest-neighbor";
-  const double bound = std::sqrt(2.0);
+  check.name = upper ? "nearest-neighbor" : "nearest-neighbor-lower";
+  const double bound = upper ? std::sqrt(2.0) : 0.5;
   check.bound = bound;
   const FeatureSizes sizes(context.complex, [&](const Feature& f) {
     return f.kind == FeatureKind::kVertex ? context.vertex_wanted[f.index] != 0
@@ -29,7 +31,7 @@ Check check_nearest_neighbor(const VerifyContext& context) {
     boxes.push_back(Box2::of(p));
   }
   const BoxTree tree(std::move(boxes));
-  double worst = 0;
+  double worst = upper ? 0 : std::numeric_limits<double>::infinity();
   std::size_t bad = 0, looked_at = 0;
   for (std::uint32_t i = 0; i < context.complex.vertices.size(); ++i) {
     const std::uint32_t v = context.mesh_vertex[i];
@@ -40,24 +42,33 @@ Check check_nearest_neighbor(const VerifyContext& context) {
     const double lfs = sizes.local(q0);
     if (std::isinf(lfs)) continue;  // no two disjoint features
     const double ratio = n / lfs;
-    bad += ratio > bound * (1 + kSlack);
-    if (ratio > worst) {
+    bad += upper ? ratio > bound * (1 + kSlack) : ratio < bound * (1 - kSlack);
+    if (upper ? ratio > worst : ratio < worst) {
       worst = ratio;
       check.worst = {v};
     }
   }
   check.ok = bad == 0;
-  check.observed = worst;
-  check.detail =
-      bad == 0
-          ? "N(q0) <= sqrt 2 lfs(q0) at " + std::to_string(looked_at) +
-                " input vertices (thesis, Theorem 2.3), lfs from the input features by definition"
-          : "N(q0) > sqrt 2 lfs(q0) at " + std::to_string(bad) + " of " +
-                std::to_string(looked_at) + " input vertices (thesis, Theorem 2.3)";
+  if (!std::isinf(worst)) check.observed = worst;
+  const std::string source = upper ? " (thesis, Theorems 2.3 and 3.3)" : " (thesis, Theorem 3.2)";
+  check.detail = bad == 0
+                     ? std::string(upper ? "N(q0) <= sqrt 2 lfs(q0)" : "1/2 lfs(q0) <= N(q0)") +
+                           " at " + std::to_string(looked_at) + " input vertices" + source +
+                           ", lfs from the input features by definition"
+                     : std::string(upper ? "N(q0) > sqrt 2 lfs(q0)" : "N(q0) < 1/2 lfs(q0)") +
+                           " at " + std::to_string(bad) + " of " + std::to_string(looked_at) +
+                           " input vertices" + source;
   if (!check.worst.empty())
-    check.detail +=
-        "; the largest ratio is " + value_text(worst) + ", at vertex " + vertices_text(check.worst);
+    check.detail += std::string(upper ? "; the largest" : "; the smallest") + " ratio is " +
+                    value_text(worst) + ", at vertex " + vertices_text(check.worst);
   return check;
+}
+
+}  // namespace
+
+Check check_nearest_neighbor(const VerifyContext& context) { return check_side(context, true); }
+Check check_nearest_neighbor_lower(const VerifyContext& context) {
+  return check_side(context, false);
 }
 
 }  // namespace circumball

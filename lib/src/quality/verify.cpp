@@ -29,6 +29,8 @@ constexpr Entry kChecks[] = {
     {"min-angle", check_min_angle, asked_only},
     {"size", check_size, has_size},
     {"nearest-neighbor", check_nearest_neighbor, asked_only},
+    {"nearest-neighbor-lower", check_nearest_neighbor_lower, asked_only},
+    {"collar", check_collar, asked_only},
 };
 
 }  // namespace
@@ -41,7 +43,8 @@ std::vector<Check> verify(const Mesh& mesh, const Complex& complex, const Verify
     const bool wanted =
         options.checks.empty() ? entry.applies(options) : named != options.checks.end();
     // A bound that nobody gave cannot be checked, named or not.
-    if (!wanted || (entry.run == check_radius_edge && !options.tau) ||
+    if (!wanted ||
+        ((entry.run == check_radius_edge || entry.run == check_collar) && !options.tau) ||
         (entry.run == check_size && !options.size))
       continue;
     checks.push_back(entry.run(context));

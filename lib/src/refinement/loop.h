@@ -30,8 +30,10 @@ namespace circumball {
 ///   unacceptable(View, SubsegmentId), unacceptable(View, TriangleRef) -> Verdict
 ///   safe(View, SubsegmentId), safe(View, TriangleRef)                 -> Verdict (kNone: safe)
 ///   action(View, SubsegmentId), action(View, TriangleRef)             -> Proposal
-///   encroaches(View, SubsegmentId, VertexId): what `unacceptable` says when only that vertex is
-///   new kTriangles                         whether triangles are looked at, at all
+///   encroaches(View, SubsegmentId, VertexId) -> Verdict: as `unacceptable`, where only the vertex
+///   is new kTriangles          whether triangles are looked at, at all kLooksAtNeighbors
+///   `unacceptable` looks at all Delaunay neighbors of a subsegment's ends, not
+///                       only at its apexes; Live2 tracks incidence then
 template <class Rules>
 class Loop final : public Stage {
  public:
@@ -40,6 +42,7 @@ class Loop final : public Stage {
 
   void begin(Workspace& w) override {
     view_.emplace(w.live, w.recorder.on());
+    if constexpr (Rules::kLooksAtNeighbors) w.live.track_incidence();
     for (std::uint32_t i = 0; i < w.live.subsegment_count(); ++i) {
       if (w.live.subsegment(SubsegmentId(i)).alive) queue_if_unacceptable(w, SubsegmentId(i));
     }
@@ -58,7 +61,7 @@ class Loop final : public Stage {
   bool advance(Workspace& w, Budget& budget) override {
     for (;;) {
       w.queued = subsegments_.size() + triangles_.size();
-      if (w.queued == 0) return true;
+      if (w.queued == 0 && !queue_again(w)) return true;
       if (!budget.spend() || !w.within_limits()) return false;
       ++w.iterations;
       if (!subsegments_.empty()) {
@@ -102,6 +105,7 @@ class Loop final : public Stage {
 
   void process(Workspace& w, const QueuedSubsegment& item) {
     const SubsegmentId s = item.subsegment;
+    if (s.value < waiting_.size()) waiting_[s.value] = false;
     if (!view_->alive(s)) return w.recorder.dropped(s, Reason::kDied);
     const Verdict why = rules_.unacceptable(*view_, s);
     // A subsegment that a circumcentre yielded to is split, as long as the triangle that proposed
@@ -209,6 +213,7 @@ class Loop final : public Stage {
   /// born.
   void queue_around(Workspace& w, VertexId v) {
     const Delaunay2& dt = w.live.triangulation();
+    if constexpr (Rules::kLooksAtNeighbors) return queue_neighbors(w, v);
     for (const TriangleId t : dt.born()) {
       if (dt.is_ghost(t)) continue;
       const auto& corners = dt.triangle(t).v;
@@ -225,6 +230,32 @@ class Loop final : public Stage {
     }
   }
 
+  /// Rules that look deeper than the triangles that touch a new vertex are asked once more about
+  /// everything when the queue runs empty.
+  bool queue_again(Workspace& w) {
+    if constexpr (!Rules::kLooksAtNeighbors) return false;
+    for (std::uint32_t i = 0; i < w.live.subsegment_count(); ++i) {
+      const SubsegmentId s(i);
+      if (w.live.subsegment(s).alive && !w.live.subsegment(s).frozen) queue_if_unacceptable(w, s);
+    }
+    return !subsegments_.empty();
+  }
+
+  /// Only v and its new Delaunay neighbors have other neighbors than before, and only the spindles
+  /// of the end segments at v have shorter members.
+  void queue_neighbors(Workspace& w, VertexId v) {
+    const auto look_at = [&](VertexId u) {
+      for (const SubsegmentId s : w.live.subsegments_at(u)) queue_if_unacceptable(w, s);
+      return true;
+    };
+    w.live.triangulation().for_each_neighbor(v, look_at);
+    for (const SubsegmentId half : w.live.subsegments_at(v)) {
+      const Subsegment& h = w.live.subsegment(half);
+      const VertexId end = h.a == v ? h.b : h.a;
+      if (view_->is_input_vertex(end)) look_at(end);
+    }
+  }
+
   void queue_if_unacceptable(Workspace& w, SubsegmentId s) {
     if (const Verdict why = rules_.unacceptable(*view_, s)) queue(w, s, why);
   }
@@ -236,6 +267,9 @@ class Loop final : public Stage {
     triangles_.push(t, why.value);
   }
   void queue(Workspace& w, SubsegmentId s, const Verdict& why) {
+    if (waiting_.size() <= s.value) waiting_.resize(w.live.subsegment_count(), false);
+    if (waiting_[s.value]) return;
+    waiting_[s.value] = true;
     w.recorder.queued(s, why);
     subsegments_.push({s, TriangleRef()});
   }
@@ -254,6 +288,7 @@ class Loop final : public Stage {
   FifoQueue<QueuedSubsegment> subsegments_;
   typename Rules::Triangles triangles_;
   std::vector<SubsegmentId> swallowed_;
+  std::vector<bool> waiting_;  // by subsegment: in the queue as unacceptable
   std::map<std::uint64_t, Reason> refusals_;
 };
 

@@ -46,6 +46,8 @@ const char* name(Reason reason) {
       return "yielded-to";
     case Reason::kReturned:
       return "returned";
+    case Reason::kWitness:
+      return "witness";
     case Reason::kInput:
       return "input";
     case Reason::kBox:
@@ -58,6 +60,8 @@ const char* name(Reason reason) {
       return "off-center";
     case Reason::kDivision:
       return "division";
+    case Reason::kCollar:
+      return "collar";
     case Reason::kOutsideDomain:
       return "outside-domain";
     case Reason::kProtected:

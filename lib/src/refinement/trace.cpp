@@ -73,7 +73,12 @@ std::string why_queued(const Event& e) {
       return " is unacceptable: its area is " + number(e.value) +
              ", more than the bound of its region.";
     case Reason::kTooLong:
-      return " is unacceptable: it is too long.";
+      return " is unacceptable: its length is " + number(e.value) +
+             ", more than twice that of the shortest in its spindle, and vertex " + witness +
+             " lies inside its diametral disk.";
+    case Reason::kWitness:
+      return " is unacceptable: vertex " + witness +
+             " is a 1-feature size witness inside its diametral disk.";
     case Reason::kYieldedTo:
       return " is queued: a circumcenter yields to it.";
     case Reason::kReturned:

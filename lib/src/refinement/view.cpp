@@ -1,6 +1,7 @@
 #include "refinement/view.h"
 
 #include <cmath>
+#include <utility>
 
 namespace circumball {
 
@@ -20,6 +21,59 @@ Point2 View::outward(const Point2& p, SubsegmentId s) const {
   if (const Point2 only_x{q.x, p.y}; !inside(only_x)) return only_x;
   if (const Point2 only_y{p.x, q.y}; !inside(only_y)) return only_y;
   return q;
+}
+
+double View::shortest2_of_spindle(SubsegmentId s) const {
+  double shortest2 = squared_length(s);
+  const Subsegment& u = live_.subsegment(s);
+  for (const VertexId end : {u.a, u.b}) {
+    if (!is_input_vertex(end)) continue;
+    for (const SubsegmentId other : live_.subsegments_at(end)) {
+      shortest2 = std::min(shortest2, squared_length(other));
+    }
+  }
+  return shortest2;
+}
+
+bool View::is_witness(VertexId p, SubsegmentId s) const {
+  const Subsegment& u = live_.subsegment(s);
+  const Feature& carrier = live_.feature(p);
+  if (carrier.kind == FeatureKind::kVertex) return p != u.a && p != u.b;
+  if (carrier.kind != FeatureKind::kSegment || carrier.index == u.segment.value) return false;
+  for (const std::uint32_t end : live_.complex().segments[carrier.index]) {
+    if (VertexId(end) == u.a || VertexId(end) == u.b) return false;
+  }
+  return true;
+}
+
+Verdict View::too_large_an_estimate(SubsegmentId s) const {
+  const Subsegment& u = live_.subsegment(s);
+  const Point2 a = dt_.point(u.a), b = dt_.point(u.b);
+  marks_.resize(dt_.vertex_count(), 0);
+  ++mark_;
+  const auto mark = [&](VertexId v) { return std::exchange(marks_[v.value], mark_) != mark_; };
+  mark(u.a);
+  mark(u.b);
+  Verdict verdict;
+  inside_.clear();
+  const auto collect = [&](VertexId v) {
+    dt_.for_each_neighbor(v, [&](VertexId p) {
+      if (!mark(p) || in_diametral_ball(a, b, dt_.point(p)) != Sign::kPositive) return true;
+      inside_.push_back(p);
+      if (is_witness(p, s)) verdict = {Reason::kWitness, p, 0};
+      return !verdict;
+    });
+  };
+  collect(u.a);
+  if (!verdict) collect(u.b);
+  if (verdict || inside_.empty()) return verdict;
+  const double length2 = squared_length(s);
+  if (length2 > 4 * kLengthSlack * kLengthSlack * shortest2_of_spindle(s)) {
+    return {Reason::kTooLong, inside_.front(), std::sqrt(length2)};
+  }
+  // The vertices in a disk are connected by Delaunay edges in it: go on until a witness is met.
+  for (std::size_t i = 0; i < inside_.size() && !verdict; ++i) collect(inside_[i]);
+  return verdict;
 }
 
 Outlook View::look(Point2& c, TriangleRef t) {

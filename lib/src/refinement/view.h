@@ -95,6 +95,22 @@ class View {
     return live_.edge_of(s) == kNone ? Verdict{Reason::kMissing, VertexId(), 0} : Verdict{};
   }
 
+  /// An end segment has an input vertex as an endpoint (Definition 2.1.5).
+  bool is_input_vertex(VertexId v) const { return live_.feature(v).kind == FeatureKind::kVertex; }
+  double squared_length(SubsegmentId s) const {
+    const Subsegment& u = live_.subsegment(s);
+    return squared_distance(dt_.point(u.a), dt_.point(u.b));
+  }
+  /// The squared length of the shortest segment of Spind(s): s and, where s is an end segment, all
+  /// end segments at its input vertices (Definition 2.1.5).
+  double shortest2_of_spindle(SubsegmentId s) const;
+  /// Whether p is a 1-feature size witness for s (Definition 2.1.7): p lies in an input feature of
+  /// dimension at most 1 that is disjoint from the simplex s. A vertex knows the smallest feature
+  /// that it lies in.
+  bool is_witness(VertexId p, SubsegmentId s) const;
+  /// The unacceptability of Algorithm 3.2, mended: see feature_size.h.
+  Verdict too_large_an_estimate(SubsegmentId s) const;
+
   // --- triangles
   bool alive(TriangleRef t) const { return dt_.alive(t.id) && dt_.triangle(t.id).birth == t.birth; }
   TriangleShape shape(TriangleRef t) const {
@@ -128,6 +144,11 @@ class View {
   bool separates() const {
     return !dt_.cavity_tagged_inside().empty() || !live_.in_domain(dt_.cavity()[0]);
   }
+  /// Whether a collar simplex is among them.
+  bool encroaches_upon_collar() const {
+    return std::any_of(encroached_.begin(), encroached_.end(),
+                       [this](SubsegmentId s) { return live_.subsegment(s).is_collar; });
+  }
   /// Distance from the point last looked at to its nearest vertex: r_q, if it is inserted
   /// (Definition 2.1.5).
   double insertion_radius(const Point2& p) const;
@@ -150,6 +171,10 @@ class View {
   Delaunay2& dt_;  // only its scratch (the cavity of a probe) is ever written here
   bool measuring_;
   std::vector<SubsegmentId> encroached_;
+  // Scratch of too_large_an_estimate: vertices seen, and those inside of a disk.
+  mutable std::vector<std::uint32_t> marks_;
+  mutable std::uint32_t mark_ = 0;
+  mutable std::vector<VertexId> inside_;
 };
 
 }  // namespace circumball

@@ -1,0 +1,151 @@
+#include "algorithms/protect.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "algorithms/feature_size.h"
+#include "circumball/predicates.h"
+#include "delaunay/constructions.h"
+#include "refinement/loop.h"
+#include "refinement/view.h"
+
+namespace circumball {
+namespace {
+
+/// N(q0) after Algorithm 3.1, for each vertex of the complex. Nothing of it stays.
+class FeatureSizeEstimate {
+ public:
+  explicit FeatureSizeEstimate(const Workspace& w)
+      : live_(w.live.complex(), Domain::kHull),
+        recorder_(live_, nullptr),
+        work_{live_, recorder_, w.limits, w.cancelled},
+        loop_("1a", "", FeatureSize{}) {
+    Delaunay2& dt = live_.triangulation();
+    dt.insert_batch(0, dt.vertex_count(), nullptr);
+    live_.create_subsegments();
+    loop_.begin(work_);
+  }
+  bool advance(Budget& budget) { return loop_.advance(work_, budget); }
+  Reason limit() const { return work_.limit; }
+  double nearest_neighbor(VertexId v) const {
+    double nearest2 = HUGE_VAL;
+    const Delaunay2& dt = live_.triangulation();
+    dt.for_each_neighbor(v, [&](VertexId p) {
+      nearest2 = std::min(nearest2, squared_distance(dt.point(v), dt.point(p)));
+      return true;
+    });
+    return std::sqrt(nearest2);
+  }
+
+ private:
+  Live2 live_;
+  Recorder recorder_;
+  Workspace work_;
+  Loop<FeatureSize> loop_;
+};
+
+class ProtectAcuteAngles final : public Stage {
+ public:
+  ProtectAcuteAngles(double fraction, bool all)
+      : Stage("1b", "Protect acute input angles"), fraction_(fraction), all_(all) {}
+
+  void begin(Workspace& w) override {
+    acute_ = acute_vertices(w.live.complex());
+    if (all_) acute_.assign(acute_.size(), true);
+    if (std::find(acute_.begin(), acute_.end(), true) == acute_.end()) return;
+    estimate_ = std::make_unique<FeatureSizeEstimate>(w);
+  }
+
+  bool advance(Workspace& w, Budget& budget) override {
+    if (!estimate_) return true;
+    if (!estimate_->advance(budget)) {
+      w.limit = estimate_->limit();
+      return false;
+    }
+    const auto count = static_cast<std::uint32_t>(w.live.complex().segments.size());
+    for (; next_ < count; ++next_) {
+      if (!budget.spend() || !w.within_limits()) return false;
+      if (w.live.subsegment(SubsegmentId(next_)).alive) protect(w, SubsegmentId(next_));
+    }
+    estimate_.reset();
+    return true;
+  }
+
+ private:
+  /// Splits the segment at its protected ends; what is left between such an end and the new vertex
+  /// is a collar simplex.
+  void protect(Workspace& w, SubsegmentId s) {
+    const Subsegment whole = w.live.subsegment(s);
+    if (acute_[whole.a.value]) {
+      const auto halves = split(w, s, whole.a, whole.b);
+      if (halves[0] == s) return;
+      w.live.make_collar(halves[0]);
+      s = halves[1];
+    }
+    if (acute_[whole.b.value]) {
+      const auto halves = split(w, s, whole.b, whole.a);
+      if (halves[0] != s) w.live.make_collar(halves[1]);
+    }
+  }
+
+  /// Splits s at distance d from its end q0. {s, s} where double precision does not allow it.
+  std::array<SubsegmentId, 2> split(Workspace& w, SubsegmentId s, VertexId q0, VertexId far) {
+    const Delaunay2& dt = w.live.triangulation();
+    const Point2 a = dt.point(q0), b = dt.point(far);
+    // Rounded: within a few ulp of the larger end in each coordinate, like the distance d itself.
+    const double t = fraction_ * estimate_->nearest_neighbor(q0) / distance(a, b);
+    View view(w.live, w.recorder.on());
+    const Point2 p = view.outward({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}, s);
+    if (view.look_at_midpoint(p, s) == Outlook::kCoincides) {
+      ++w.refused;
+      w.refusal_limit = Reason::kLimitPrecision;
+      w.recorder.refused(s, Reason::kPrecision, p);
+      return {s, s};
+    }
+    const double radius = w.recorder.on() ? view.insertion_radius(p) : 0;
+    const Event event = w.recorder.insertion_of(s, Reason::kCollar);
+    const std::uint32_t segment = w.live.subsegment(s).segment.value;
+    const VertexId v = w.live.add_vertex(p, {FeatureKind::kSegment, segment});
+    w.live.commit(v, s.value);
+    ++w.inserted;
+    ++w.iterations;
+    w.recorder.inserted(event, v, radius);
+    return w.live.split(s, v);
+  }
+
+  double fraction_;
+  bool all_;
+  std::vector<bool> acute_;
+  std::unique_ptr<FeatureSizeEstimate> estimate_;
+  std::uint32_t next_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Stage> protect_acute_angles(double fraction, bool all) {
+  return std::make_unique<ProtectAcuteAngles>(fraction, all);
+}
+
+std::vector<bool> acute_vertices(const Complex& complex) {
+  const std::size_t n = complex.vertices.size();
+  std::vector<std::vector<Point2>> ends(n);  // the other ends of the segments at a vertex
+  for (const auto& s : complex.segments) {
+    ends[s[0]].push_back(xy(complex.vertices[s[1]]));
+    ends[s[1]].push_back(xy(complex.vertices[s[0]]));
+  }
+  std::vector<bool> acute(n, false);
+  for (std::size_t v = 0; v < n; ++v) {
+    const Point2 p = xy(complex.vertices[v]);
+    const auto& e = ends[v];
+    for (std::size_t i = 0; i < e.size() && !acute[v]; ++i) {
+      for (std::size_t j = 0; j < i && !acute[v]; ++j) {
+        // (a - p) . (b - p) > 0. A segment that is given twice makes no angle. Of five directions
+        // two are at most 72 degrees apart, so that this stops soon.
+        acute[v] = e[i] != e[j] && in_diametral_ball(e[i], e[j], p) == Sign::kNegative;
+      }
+    }
+  }
+  return acute;
+}
+
+}  // namespace circumball
