@@ -262,8 +262,22 @@ void Live2::classify() {
     }
     flood_levels(crossed);
   } else {
+    stack_.clear();
     for (TriangleId t = 0; t < slots; ++t) {
-      if (dt.alive(t)) dt.set_label(t, dt.is_ghost(t) ? kOutside : kInside);
+      if (!dt.alive(t)) continue;
+      dt.set_label(t, dt.is_ghost(t) ? kOutside : kInside);
+      if (dt.is_ghost(t)) stack_.push_back(t);
+    }
+    while (!stack_.empty()) {  // pockets between the hull and the subsegments on it
+      const TriangleId t = stack_.back();
+      stack_.pop_back();
+      for (unsigned i = 0; i < 3; ++i) {
+        const HalfEdge h = 4 * t + i;
+        const TriangleId u = dt.twin(h) / 4;
+        if (dt.tag(h) != kNone || dt.triangle(u).label != kInside || !is_pocket(u)) continue;
+        dt.set_label(u, kOutside);
+        stack_.push_back(u);
+      }
     }
   }
   const auto flood = [&](const Point3& seed, std::uint32_t label) {
@@ -305,6 +319,21 @@ void Live2::classify() {
   }
 }
 
+bool Live2::is_pocket(TriangleId t) const {
+  const auto& corners = triangulation_.triangle(t).v;
+  std::uint32_t segment = kNoIndex;
+  for (const VertexId v : corners) {
+    if (feature(v).kind == FeatureKind::kSegment) segment = feature(v).index;
+  }
+  if (segment == kNoIndex) return false;
+  const auto& ends = complex_->segments[segment];
+  return std::all_of(std::begin(corners), std::end(corners), [&](VertexId v) {
+    const Feature& f = feature(v);
+    return f.kind == FeatureKind::kSegment ? f.index == segment
+                                           : v.value == ends[0] || v.value == ends[1];
+  });
+}
+
 void Live2::relabel(TriangleId t, std::uint32_t before, std::uint32_t label) {
   triangulation_.set_label(t, label);
   if (tracking_) relabeled_.push_back({t, before});
@@ -326,10 +355,6 @@ bool Live2::in_domain(TriangleId t) {
   if (dt.is_ghost(t)) return false;
   if (!classified_) return true;
   if (dt.triangle(t).label != kUnknown) return dt.triangle(t).label != kOutside;
-  if (domain_ != Domain::kClosed && complex_->regions.empty()) {
-    relabel(t, kUnknown, kInside);
-    return true;
-  }
   // Flood the triangles that lost their label until one is met that has it: they are one piece of
   // the domain.
   std::uint32_t label = kUnknown;
@@ -351,6 +376,10 @@ bool Live2::in_domain(TriangleId t) {
       }
     }
     if (label != kUnknown) break;
+  }
+  if (label == kUnknown && domain_ != Domain::kClosed && complex_->regions.empty()) {
+    for (const TriangleId u : piece) relabel(u, kUnknown, is_pocket(u) ? kOutside : kInside);
+    return dt.triangle(t).label != kOutside;
   }
   if (label == kUnknown) {
     // A piece with no labelled triangle in it: count levels again from outside.

@@ -114,6 +114,9 @@ class Live2 {
   std::size_t bytes() const;
 
  private:
+  /// Whether all three vertices of t lie on one input segment: t is flat, but for their rounding.
+  /// Such a triangle at the hull lies outside of the subsegments there.
+  bool is_pocket(TriangleId t) const;
   void relabel(TriangleId t, std::uint32_t before, std::uint32_t label);
   void flood_levels(const std::vector<std::uint8_t>& crossed);
   void label_crossed(const std::vector<std::uint8_t>& crossed);
