@@ -37,10 +37,10 @@ struct Check {
 /// input vertex is the mesh vertex of its number, bit for bit; on other meshes: found by
 /// coordinates), "input-segments" (every input segment is a union of edges of the mesh, in order,
 /// without gap or overlap), "area" (areas of the cells add up to the domain's area, from exact
-/// signed areas of loops, relative 1e-9), "radius-edge" (every cell has circumradius / shortest
-/// edge <= tau, with the rounding error of the measurement as slack), "min-angle" (chew: >= 30
-/// degrees), "size" (circumradius <= size), "nearest-neighbor" (Theorem 2.3: N(q0) <= sqrt 2
-/// lfs(q0) for each input vertex; lfs by brute force).
+/// signed areas of loops, relative 1e-9 and what rounding of vertices can move), "radius-edge"
+/// (every cell has circumradius / shortest edge <= tau, with the rounding error of the measurement
+/// as slack), "min-angle" (chew: >= 30 degrees), "size" (circumradius <= size), "nearest-neighbor"
+/// (Theorem 2.3: N(q0) <= sqrt 2 lfs(q0) for each input vertex; lfs by brute force).
 std::vector<Check> verify(const Mesh& mesh, const Complex& complex, const VerifyOptions& options);
 
 /// Measures of a mesh, for the report.

@@ -154,7 +154,7 @@ Check closed_area(const VerifyContext& context, Check check) {
   }
   for (std::uint32_t f = 0; f < faces.face_count(); ++f) {
     if (!context.inside[f] ||
-        std::fabs(covered[f] - faces.area(f)) <= kAreaTolerance * faces.area(f))
+        std::fabs(covered[f] - faces.area(f)) <= context.area_tolerance(faces.area(f)))
       continue;
     for (std::size_t i = 0; i < parts.area.size() && check.worst.empty(); ++i)
       if (face[i] == f) check.worst = cell_of(i);
@@ -163,7 +163,7 @@ Check closed_area(const VerifyContext& context, Check check) {
     if (!check.worst.empty()) check.detail += " (around cell " + vertices_text(check.worst) + ")";
     return check;
   }
-  check.ok = std::fabs(observed - expected) <= kAreaTolerance * expected;
+  check.ok = std::fabs(observed - expected) <= context.area_tolerance(expected);
   check.detail = "the domain has " + count_text(inside, "part") + " of area " +
                  value_text(expected) +
                  " in all, by signed areas of loops of input segments; the cells add up to it in "
@@ -191,7 +191,7 @@ Check check_area(const VerifyContext& context) {
   const double observed = 0.5 * twice.value();
   check.bound = expected;
   check.observed = observed;
-  check.ok = std::fabs(observed - expected) <= kAreaTolerance * expected;
+  check.ok = std::fabs(observed - expected) <= context.area_tolerance(expected);
   check.detail = std::string("the convex hull of the complex has area ") + value_text(expected) +
                  ", the cells add up to " + value_text(observed) +
                  (check.ok ? ", equal within 1e-9" : "");

@@ -69,7 +69,7 @@ Chain ChainFinder::find_labeled(std::uint32_t segment, std::uint32_t a, std::uin
     if (e.a >= mesh.vertices.size() || e.b >= mesh.vertices.size())
       return broken("a subsegment of it names a vertex that is not there", {});
     const Place p = place(pa, pb, context_.point(e.a)), q = place(pa, pb, context_.point(e.b));
-    if (!(std::max(p.off, q.off) <= kOnSegment * context_.diameter))
+    if (!(std::max(p.off, q.off) <= context_.on_segment()))
       return broken("a subsegment of it leaves it", {e.a, e.b});
     if (q.along < p.along) std::swap(e.a, e.b);
     pieces.push_back({std::min(p.along, q.along), e.a, e.b});
@@ -105,7 +105,7 @@ Chain ChainFinder::walk(std::uint32_t, std::uint32_t a, std::uint32_t b) const {
       const std::uint32_t v = context_.neighbor[k];
       if (v == a) continue;
       const Place p = v == b ? Place{1, 0} : place(pa, pb, context_.point(v));
-      if (!(p.off <= kOnSegment * context_.diameter) || !(p.along > along) || p.along > 1) continue;
+      if (!(p.off <= context_.on_segment()) || !(p.along > along) || p.along > 1) continue;
       if (best == kNoIndex || p.along < best_along) {
         best = v;
         best_along = p.along;

@@ -140,14 +140,29 @@ void VerifyContext::match_vertices() {
       if (it != order.end() && !less(p, mesh.vertices[*it])) mesh_vertex[i] = *it;
     }
   }
-  if (view.points.empty()) return;
-  double lo_y = view.points[0].y, hi_y = lo_y;
-  for (const Point2& p : view.points) {
-    lo_y = std::min(lo_y, p.y);
-    hi_y = std::max(hi_y, p.y);
+  measure();
+}
+
+void VerifyContext::measure() {
+  double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL}, largest = 0;
+  for (std::size_t k = 0; k < view.points.size(); ++k) {
+    if (view.vertex[k] == kNoIndex) continue;  // a seed
+    const double at[2] = {view.points[k].x, view.points[k].y};
+    for (int i = 0; i < 2; ++i) {
+      low[i] = std::min(low[i], at[i]);
+      high[i] = std::max(high[i], at[i]);
+      largest = std::max(largest, std::fabs(at[i]));
+    }
   }
-  const double dx = view.points.back().x - view.points.front().x, dy = hi_y - lo_y;
+  if (!(low[0] <= high[0])) return;
+  const double dx = high[0] - low[0], dy = high[1] - low[1];
   diameter = std::sqrt(dx * dx + dy * dy);
+  rounding = 0x1p-49 * largest;
+  boundary_length = 2 * (dx + dy);  // of the hull
+  for (const auto& segment : view.segments) {
+    const Point2 &p = view.points[segment.lo], &q = view.points[segment.hi];
+    boundary_length += std::sqrt((q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y));
+  }
 }
 
 void VerifyContext::arrange() {

@@ -63,6 +63,16 @@ class VerifyContext {
   bool by_number = false;
   /// Diameter of the box around the vertices of the complex.
   double diameter = 0;
+  /// How far rounding can move a vertex off the segment that it lies on: 8 units in the last place
+  /// of the largest coordinate (each midpoint adds at most one to the mean of its subsegment's
+  /// ends, and one more on the hull).
+  double rounding = 0;
+  /// The tolerances, with what rounding can do where coordinates are large and features small.
+  double on_segment() const { return kOnSegment * diameter + rounding; }
+  double area_tolerance(double area) const {
+    return kAreaTolerance * area + rounding * boundary_length;
+  }
+  double boundary_length = 0;  ///< at most: of all segments and the hull
 
   bool closed() const { return options.domain == "closed"; }
 
@@ -82,6 +92,7 @@ class VerifyContext {
   void read_cells();
   void pair_edges();
   void match_vertices();
+  void measure();
   void arrange();
   std::vector<Cell> excused_;
 };

@@ -14,11 +14,23 @@ bool upward(const Point2& from, const Point2& to) {
   return to.y > from.y || (to.y == from.y && to.x > from.x);
 }
 
+/// Whether q is as near to the line pr as rounding can put it, and between its ends.
+bool within_rounding(const VerifyContext& context, const Point2& p, const Point2& q,
+                     const Point2& r) {
+  const double dx = r.x - p.x, dy = r.y - p.y, ux = q.x - p.x, uy = q.y - p.y;
+  const double length2 = dx * dx + dy * dy, along = ux * dx + uy * dy;
+  return along > 0 && along < length2 &&
+         std::fabs(ux * dy - uy * dx) <= 2 * context.rounding * std::sqrt(length2);
+}
+
 /// Empty if the boundary of the mesh is one convex polygon, run through once. A mesh of
 /// counter-clockwise cells, each edge between at most two, with such a boundary covers the polygon
 /// exactly once: every point inside is covered as often as the boundary winds around it. Then
 /// locally Delaunay is Delaunay.
-std::string why_not_convex(const VerifyContext& context, std::vector<std::uint32_t>* worst) {
+/// A boundary that is convex but for the rounding of vertices on it sets `nearly`, and proves
+/// nothing of winding.
+std::string why_not_convex(const VerifyContext& context, std::vector<std::uint32_t>* worst,
+                           bool* nearly) {
   std::vector<std::uint32_t> after(context.mesh.vertices.size(), kNoIndex);
   std::uint32_t start = kNoIndex;
   std::size_t boundary = 0;
@@ -48,7 +60,9 @@ std::string why_not_convex(const VerifyContext& context, std::vector<std::uint32
     const Sign turn = orient2d(p, q, r);
     // straight on is fine, straight back is not
     const bool back = turn == Sign::kZero && upward(p, q) != upward(q, r);
-    if (turn == Sign::kNegative || back) {
+    if (turn == Sign::kNegative && !back && within_rounding(context, p, q, r)) {
+      *nearly = true;
+    } else if (turn == Sign::kNegative || back) {
       *worst = {u, v, w};
       return "the boundary is not convex at vertex " + std::to_string(v) + ", between " +
              vertices_text({u, w});
@@ -61,7 +75,7 @@ std::string why_not_convex(const VerifyContext& context, std::vector<std::uint32
     *worst = {start};
     return "the boundary has several parts";
   }
-  if (turns != 1) {
+  if (turns != 1 && !*nearly) {
     *worst = {start};
     return "the boundary winds around more than once";
   }
@@ -167,23 +181,7 @@ Check check_delaunay(const VerifyContext& context) {
                              std::to_string(d) + " lies inside the circumcircle of " +
                              vertices_text({a, b, c}));
   }
-  std::string scope;
-  if (!context.closed()) {
-    std::vector<std::uint32_t> worst;
-    if (context.cells.empty()) {
-      if (!all_collinear(context))
-        fail({}, "there are no cells, though not all vertices are collinear");
-      scope = "there are no cells, and all vertices are collinear";
-    } else {
-      const std::string why = why_not_convex(context, &worst);
-      if (!why.empty()) fail(worst, "the cells do not tile the convex hull: " + why);
-      for (std::uint32_t v = 0; v < context.used.size(); ++v) {
-        if (!context.used[v])
-          fail({v}, "vertex " + std::to_string(v) + " is not a vertex of any cell");
-      }
-      scope = "the cells tile their convex hull, so that every circumdisk is empty";
-    }
-  } else {
+  const auto search_all = [&] {
     const DiskSearch search(context);
     for (std::uint32_t i = 0; i < context.cells.size(); ++i) {
       if (!context.positive[i]) continue;
@@ -194,7 +192,26 @@ Check check_delaunay(const VerifyContext& context) {
                                         " lies inside the circumcircle of " +
                                         vertices_text({c[0], c[1], c[2]}));
     }
-    scope = "no vertex lies inside any of the " + count_text(context.cells.size(), "circumcircle");
+    return "no vertex lies inside any of the " + count_text(context.cells.size(), "circumcircle");
+  };
+  std::string scope;
+  if (context.closed()) {
+    scope = search_all();
+  } else if (context.cells.empty()) {
+    if (!all_collinear(context))
+      fail({}, "there are no cells, though not all vertices are collinear");
+    scope = "there are no cells, and all vertices are collinear";
+  } else {
+    std::vector<std::uint32_t> worst;
+    bool nearly = false;
+    const std::string why = why_not_convex(context, &worst, &nearly);
+    if (!why.empty()) fail(worst, "the cells do not tile the convex hull: " + why);
+    for (std::uint32_t v = 0; v < context.used.size(); ++v) {
+      if (!context.used[v])
+        fail({v}, "vertex " + std::to_string(v) + " is not a vertex of any cell");
+    }
+    scope = "the cells tile their convex hull, so that every circumdisk is empty";
+    if (nearly) scope = search_all() + "; their boundary is convex but for rounding";
   }
   check.ok = violations == 0;
   check.observed = static_cast<double>(violations);
