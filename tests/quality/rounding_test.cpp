@@ -45,6 +45,22 @@ TEST(Rounding, OfVerticesOnSegmentsIsNoViolationHoweverFarAway) {
   EXPECT_GT(vertices, 10000u);
 }
 
+TEST(Rounding, LeavesTheBoundOnFeatureSizesThatIsAttained) {
+  Complex c;  // the lower bound is attained at vertex 1, but for rounding
+  c.vertices = {
+      {1000000.007, 1000000.009, 0}, {1000000.009, 1000000.001, 0}, {1000000.006, 1000000.007, 0}};
+  c.segments = {{1, 2}, {2, 0}, {0, 1}};
+  Options options = options_of("feature-size");
+  options.domain = Domain::kHull;
+  const auto run = finish(c, options);
+  VerifyOptions lower;
+  lower.checks = {"nearest-neighbor-lower"};
+  const Check check = verify(run->mesh(), run->complex(), lower).at(0);
+  EXPECT_TRUE(check.ok) << check.detail;
+  ASSERT_TRUE(check.observed);
+  EXPECT_LT(*check.observed, 0.5);
+}
+
 TEST(Rounding, DoesNotExcuseAVertexThatIsOff) {
   const auto run = finish(far_away(1), options_of("ruppert"));
   Mesh mesh = run->mesh();
