@@ -27,9 +27,10 @@ struct FeatureSize {
   /// Priority: segments may be processed in any order; by birth.
   using Triangles = TrianglesByBirth;
 
-  /// Unacceptability: a segment s is unacceptable if it has an endpoint q with a Delaunay neighbor
-  /// p inside the diametral disk of s and either p is a 1-feature size witness for s or s is more
-  /// than twice the length of the shortest segment in Spind(s).
+  /// Unacceptability: a segment s is unacceptable if a vertex inside its diametral disk is a
+  /// 1-feature size witness for s (printed: a Delaunay neighbor of an endpoint), or if an endpoint
+  /// has a Delaunay neighbor inside the disk and s is more than twice the length of the shortest
+  /// segment in Spind(s).
   Verdict unacceptable(const View& view, SubsegmentId s) const {
     return view.too_large_an_estimate(s);
   }

@@ -63,8 +63,8 @@ std::vector<AlgorithmInfo> make_registry() {
   feature_size.action = "Insert the circumcenter of a segment.";
   feature_size.priority = "Segments may be processed in any order.";
   feature_size.unacceptability =
-      "A segment $s$ is unacceptable if it has an endpoint $q$ with a Delaunay neighbor $p$ inside "
-      "the diametral disk of $s$ and either $p$ is a 1-feature size witness for $s$ or $s$ is more "
+      "A segment $s$ is unacceptable if a vertex inside its diametral disk is a 1-feature size "
+      "witness for $s$; or if an endpoint has a Delaunay neighbor inside the disk and $s$ is more "
       "than twice the length of the shortest segment in $\\mathrm{Spind}(s)$.";
   feature_size.safety = "It is safe to split any simplex.";
   feature_size.parameters = {box};
