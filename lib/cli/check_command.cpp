@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include <fmt/format.h>
@@ -18,12 +19,16 @@ std::string summary(const ReadResult& input) {
       "{}: {} vertices, {} segments, {} faces, {} holes, {} regions, dimension {}\n", input.format,
       complex.vertices.size(), complex.segments.size(), complex.faces.size(), complex.holes.size(),
       complex.regions.size(), complex.dimension);
-  if (!complex.vertices.empty()) {
-    Point3 low = complex.vertices[0], high = low;
-    for (const Point3& p : complex.vertices) {
-      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-    }
+  Point3 low, high;
+  bool any = false;
+  for (const Point3& p : complex.vertices) {
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) continue;
+    if (!any) low = high = p;
+    any = true;
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  if (any) {
     text += complex.dimension == 2
                 ? fmt::format("bounds: ({}, {}) to ({}, {})\n", low.x, low.y, high.x, high.y)
                 : fmt::format("bounds: ({}, {}, {}) to ({}, {}, {})\n", low.x, low.y, low.z, high.x,

@@ -18,6 +18,11 @@ int convert_command(const ConvertArguments& arguments) {
   }
   const ReadResult input = read_input(arguments.input);
   if (print_defects(input.defects)) return kInvalidInput;
+  // Crossings may be written; what refers to nothing may not. Then all that is wrong is told.
+  if (!check_numbers(input.complex, 1).empty()) {
+    print_defects(check(input.complex));
+    return kInvalidInput;
+  }
 
   std::vector<OutputFile> files;
   const std::vector<std::string> known = mesh_extensions(input.complex.dimension);

@@ -3,7 +3,6 @@
 #include <cstdio>
 #include <exception>
 #include <functional>
-#include <map>
 #include <new>
 #include <string>
 
@@ -17,9 +16,6 @@
 namespace circumball::cli {
 
 namespace {
-
-const std::map<std::string, Domain> kDomains = {
-    {"hull", Domain::kHull}, {"box", Domain::kBox}, {"closed", Domain::kClosed}};
 
 // CLI11's own Range and NonNegativeNumber let "nan" pass.
 const CLI::Validator kPositive(
@@ -48,10 +44,16 @@ void add_mesh_options(CLI::App* verb, MeshArguments* mesh) {
       ->excludes("--tau");
   verb->add_option("--size", options.size,
                    "Upper bound on the circumradius: a number, or an expression in x and y");
-  verb->add_option("--domain", options.domain, "What is meshed: hull, box or closed")
-      ->transform(CLI::CheckedTransformer(kDomains));
+  const auto set_domain = [&options](const std::string& name) {
+    options.domain = name == "hull"  ? Domain::kHull
+                     : name == "box" ? Domain::kBox
+                                     : Domain::kClosed;
+  };
+  verb->add_option_function<std::string>("--domain", set_domain, "What is meshed")
+      ->check(CLI::IsMember({"hull", "box", "closed"}));
   verb->add_option("--max-vertices", options.limits.max_vertices,
                    "Stop at this many vertices (0: no limit)")
+      ->check(kNotNegative)
       ->capture_default_str();
   verb->add_option("--min-edge", options.limits.min_edge, "Make no edge shorter than this")
       ->check(kNotNegative);
@@ -84,7 +86,7 @@ int run(int argc, char** argv) {
   MeshArguments mesh;
   CLI::App* mesh_verb = app.add_subcommand("mesh", "Refine a complex");
   mesh_verb->add_option("--algorithm", mesh.options.algorithm,
-                        "One of 'list'; default: chosen by the input");
+                        "An id that 'circumball list' prints; default: chosen by the input");
   add_mesh_options(mesh_verb, &mesh);
   mesh_verb->callback([&] { action = [&] { return mesh_command(mesh); }; });
 

@@ -22,12 +22,19 @@ bool named_ok(const std::vector<Check>& checks, const char* name) {
 
 int verify_command(const VerifyArguments& arguments) {
   const ReadResult input = read_input(arguments.input);
-  const ReadResult mesh = read_input(arguments.mesh);
+  // Of a .node file the mesh is in the .ele beside it.
+  std::string mesh_file = arguments.mesh;
+  const std::string node = ".node";
+  if (mesh_file.size() > node.size() &&
+      mesh_file.compare(mesh_file.size() - node.size(), node.size(), node) == 0) {
+    mesh_file.replace(mesh_file.size() - node.size(), node.size(), ".ele");
+  }
+  const ReadResult mesh = read_input(mesh_file);
   const bool bad_input = print_defects(input.defects);
   const bool bad_mesh = print_defects(mesh.defects);
   if (bad_input || bad_mesh || print_defects(check(input.complex))) return kInvalidInput;
   if (!mesh.mesh) {
-    print_error(fmt::format("'{}' ({}) holds no mesh", arguments.mesh, mesh.format));
+    print_error(fmt::format("'{}' ({}) holds no mesh", mesh_file, mesh.format));
     return kInvalidInput;
   }
   if (mesh.mesh->dimension != input.complex.dimension) {

@@ -135,7 +135,9 @@ TEST(Domain, CollinearInputIsAMeshWithoutTrianglesOrABoxOfThem) {
   EXPECT_EQ(box->domain(), Domain::kBox);
   expect_promises(*box, "line in a box");
   options.domain = Domain::kHull;
-  EXPECT_EQ(finish(line, options)->status(), Status::kComplete);
+  const auto chain = finish(line, options);
+  EXPECT_EQ(chain->status(), Status::kComplete);
+  expect_promises(*chain, "line in its hull");
 }
 
 TEST(Numbers, OffsetsAndScalesAreNormalInput) {

@@ -45,7 +45,7 @@ TEST(Examples, EachIsAValidComplexWithAnglesAbove60DegreesButTheFan) {
     const ReadResult r = read(*bytes, file, slurp);
     ASSERT_TRUE(r.ok()) << file << ": " << io_test::names(r);
     for (const Defect& d : check(r.complex)) EXPECT_TRUE(d.warning) << file << ": " << d.message;
-    if (example["id"] == "fan")
+    if (example["file"] == "fan.json")
       EXPECT_LT(smallest_angle_degrees(r.complex), 30);
     else
       EXPECT_GE(smallest_angle_degrees(r.complex), 60) << file;

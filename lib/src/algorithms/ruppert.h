@@ -45,7 +45,7 @@ struct Conform {
 struct Ruppert : Conform {
   static constexpr bool kTriangles = true;
 
-  double tau = 1.42;                     ///< radius-edge threshold
+  double tau = 1.4145;                   ///< radius-edge threshold
   double size = 0;                       ///< upper bound on the circumradius; 0: none
   std::shared_ptr<const Sizing> sizing;  ///< the same, as a function of the place; null: none
 

@@ -82,7 +82,8 @@ Chain ChainFinder::find_labeled(std::uint32_t segment, std::uint32_t a, std::uin
   for (const Piece& p : pieces) {
     const std::uint32_t last = chain.vertices.back();
     if (p.from != last) return broken("it has a gap or an overlap", {last, p.from});
-    if (context_.find_edge(p.from, p.to) == kNoIndex)
+    // Where all vertices are collinear there are no cells, and the edges stand for themselves.
+    if (!context_.cells.empty() && context_.find_edge(p.from, p.to) == kNoIndex)
       return broken("a subsegment of it is not an edge of a cell", {p.from, p.to});
     if (p.to != b && p.to < mesh.vertex_features.size() &&
         !(mesh.vertex_features[p.to] == Feature{FeatureKind::kSegment, segment}))
