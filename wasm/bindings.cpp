@@ -130,10 +130,16 @@ val read_files(val files) {
       }
       siblings.emplace(name, bytes);
     }
-    const ReadResult input = read(first_bytes, first_name, [&](const std::string& name) {
+    ReadResult input = read(first_bytes, first_name, [&](const std::string& name) {
       const auto found = siblings.find(name);
       return found == siblings.end() ? std::nullopt : std::optional(found->second);
     });
+    // What refers to nothing cannot be drawn or edited: then all that is wrong is told.
+    if (input.ok() && !check_numbers(input.complex, 1).empty()) {
+      for (Defect& defect : check(input.complex)) input.defects.push_back(std::move(defect));
+      input.complex = Complex();
+      input.mesh.reset();
+    }
     std::string error;
     const std::vector<OutputFile> text = write_complex(input.complex, ".json", &error);
     val result = val::object();
@@ -287,7 +293,10 @@ val write_run(int id, const std::string& extension) {
 val write_complex_text(const std::string& text, const std::string& extension) {
   return guarded(failure("out of memory"), [&] {
     const ReadResult input = read(text, "input.json");
-    if (!input.ok()) return failure(input.defects.front().message);
+    for (const Defect& defect : input.defects)
+      if (!defect.warning) return failure(defect.message);
+    const std::vector<Defect> wrong = check_numbers(input.complex, 1);
+    if (!wrong.empty()) return failure(wrong.front().message);
     std::string error;
     const std::vector<OutputFile> files = write_complex(input.complex, extension, &error);
     return written(files, error);

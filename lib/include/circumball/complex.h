@@ -71,6 +71,11 @@ struct Complex {
 /// name are listed; a last one then counts the rest.
 std::vector<Defect> check(const Complex& complex, std::size_t max_defects = 1000);
 
+/// Of those defects the ones that readers leave in a complex although nothing can be made of it:
+/// "not-finite" and "index-out-of-range" (of segments and faces; a number that no index can hold is
+/// read as kNoIndex). Whoever uses the indices of a complex that was read looks here first. O(n).
+std::vector<Defect> check_numbers(const Complex& complex, std::size_t max_defects = 1000);
+
 /// Smallest angle in degrees between two input segments that share a vertex; 180 if there is none
 /// (2D).
 double smallest_angle_degrees(const Complex& complex);

@@ -31,8 +31,10 @@ struct ReadResult {
   }
 };
 
-/// Reads whatever it is: formats are told by content; `name` (a file name) only settles ties and
-/// finds siblings. Sizes in headers are checked against the bytes there are before memory is taken.
+/// Indices out of range and coordinates that are not finite stay in the complex, for `check` to
+/// tell of with all else (see `check_numbers`); those of a mesh are defects here. Reads whatever it
+/// is: formats are told by content; `name` (a file name) only settles ties and finds siblings.
+/// Sizes in headers are checked against the bytes there are before memory is taken.
 ReadResult read(std::string_view bytes, const std::string& name, const Sibling& sibling = nullptr);
 
 struct OutputFile {

@@ -5,8 +5,8 @@
 namespace circumball {
 
 std::vector<Defect> check(const Complex& complex, std::size_t max_defects) {
-  std::vector<Defect> defects;
   const std::size_t max = max_defects;
+  std::vector<Defect> defects = check_numbers(complex, max);
   check_vertices(complex, max, &defects);
   check_seed_coordinates(complex, max, &defects);
 

@@ -42,15 +42,15 @@ std::string point_text(const Point3& p, int dimension = 2);
 
 // The parts of check(), by what they look at.
 
-/// "not-finite", "magnitude", "duplicate-vertices", "near-duplicate-vertices", "too-few-vertices".
+/// "magnitude", "duplicate-vertices", "near-duplicate-vertices", "too-few-vertices".
 void check_vertices(const Complex& complex, std::size_t max, std::vector<Defect>* defects);
-/// "index-out-of-range", "zero-length-segment", and "duplicate-segments" where the view has them.
+/// "zero-length-segment", and "duplicate-segments" where the view has them.
 void check_segments(const Complex& complex, const PlanarView& view, std::size_t max,
                     std::vector<Defect>* defects);
 /// "vertex-on-segment", "segments-cross", "segments-overlap": of the suspects of a sweep.
 void check_crossings(const PlanarView& view, const SweepResult& swept, std::size_t max,
                      std::vector<Defect>* defects);
-/// "not-finite" and "magnitude" of hole and region seeds.
+/// "magnitude" of hole and region seeds.
 void check_seed_coordinates(const Complex& complex, std::size_t max, std::vector<Defect>* defects);
 /// "hole-outside", "region-outside". Seeds of the view are the holes, then the regions. Needs a
 /// sweep without suspects.

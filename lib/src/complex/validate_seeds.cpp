@@ -6,14 +6,12 @@
 namespace circumball {
 
 void check_seed_coordinates(const Complex& complex, std::size_t max, std::vector<Defect>* defects) {
-  DefectList not_finite("not-finite", false, max), magnitude("magnitude", false, max);
+  DefectList magnitude("magnitude", false, max);
   const auto look = [&](const Point3& p, const std::string& name) {
     const bool space = complex.dimension == 3;
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || (space && !std::isfinite(p.z)))
-      not_finite.add(
-          {}, {p},
-          name + " is at " + point_text(p, complex.dimension) + ": give it finite numbers");
-    else if (!usable(p.x) || !usable(p.y) || (space && !usable(p.z)))
+      return;  // told by check_numbers
+    if (!usable(p.x) || !usable(p.y) || (space && !usable(p.z)))
       magnitude.add(
           {}, {p},
           name + " is at " + point_text(p, complex.dimension) +
@@ -21,15 +19,8 @@ void check_seed_coordinates(const Complex& complex, std::size_t max, std::vector
   };
   for (std::size_t i = 0; i < complex.holes.size(); ++i)
     look(complex.holes[i], "hole seed " + std::to_string(i));
-  for (std::size_t i = 0; i < complex.regions.size(); ++i) {
-    const std::string name = "region seed " + std::to_string(i);
-    look(complex.regions[i].at, name);
-    if (!std::isfinite(complex.regions[i].max))
-      not_finite.add({}, {complex.regions[i].at},
-                     name + " bounds the size of cells by " + number_text(complex.regions[i].max) +
-                         ": give a positive number, or 0 for no bound");
-  }
-  not_finite.append_to(defects);
+  for (std::size_t i = 0; i < complex.regions.size(); ++i)
+    look(complex.regions[i].at, "region seed " + std::to_string(i));
   magnitude.append_to(defects);
 }
 

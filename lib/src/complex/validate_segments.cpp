@@ -7,24 +7,17 @@ namespace circumball {
 void check_segments(const Complex& complex, const PlanarView& view, std::size_t max,
                     std::vector<Defect>* defects) {
   const std::size_t n = complex.vertices.size();
-  DefectList range("index-out-of-range", false, max), zero("zero-length-segment", false, max);
+  DefectList zero("zero-length-segment", false, max);
   for (std::uint32_t i = 0; i < complex.segments.size(); ++i) {
     const auto& s = complex.segments[i];
     const std::string name = "segment " + std::to_string(i);
-    if (s[0] >= n || s[1] >= n) {
-      range.add({{FeatureKind::kSegment, i}}, {},
-                name + " joins vertices " + std::to_string(s[0]) + " and " + std::to_string(s[1]) +
-                    ", but there are only " + std::to_string(n) +
-                    " vertices, numbered from 0: correct its ends");
-      continue;
-    }
+    if (s[0] >= n || s[1] >= n) continue;  // told by check_numbers
     const Point3 &a = complex.vertices[s[0]], &b = complex.vertices[s[1]];
     const bool same = a.x == b.x && a.y == b.y && (complex.dimension == 2 || a.z == b.z);
     if (s[0] == s[1] || same)
       zero.add({{FeatureKind::kSegment, i}}, {a},
                name + " has both ends at " + point_text(a, complex.dimension) + ": remove it");
   }
-  range.append_to(defects);
   zero.append_to(defects);
 
   DefectList duplicate("duplicate-segments", true, max);

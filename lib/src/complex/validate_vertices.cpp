@@ -95,20 +95,15 @@ void check_vertices(const Complex& complex, std::size_t max, std::vector<Defect>
     few.add({}, {}, "the complex has no vertices: nothing can be meshed; add at least one");
     few.append_to(defects);
   }
-  DefectList not_finite("not-finite", false, max), magnitude("magnitude", false, max);
+  DefectList magnitude("magnitude", false, max);
   for (std::uint32_t i = 0; i < complex.vertices.size(); ++i) {
     const Point3& p = complex.vertices[i];
-    if (!finite(p, dimension))
-      not_finite.add({{FeatureKind::kVertex, i}}, {p},
-                     vertex_text(i) + " has coordinates " + point_text(p, dimension) +
-                         ": give it finite numbers");
-    else if (!in_range(p, dimension))
+    if (finite(p, dimension) && !in_range(p, dimension))
       magnitude.add(
           {{FeatureKind::kVertex, i}}, {p},
           vertex_text(i) + " has coordinates " + point_text(p, dimension) +
               ": scale the input so that every coordinate is 0 or of magnitude 1e-45 to 1e55");
   }
-  not_finite.append_to(defects);
   magnitude.append_to(defects);
 
   const std::vector<std::uint32_t> order = sorted_vertices(complex);

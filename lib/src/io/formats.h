@@ -26,6 +26,13 @@ bool fail(ReadResult& result, const char* name, std::string message);
 bool fail_at(ReadResult& result, std::size_t line, const char* name, const std::string& message);
 void warn(ReadResult& result, const char* name, std::string message);
 
+/// A vertex number counted from 0 as it is kept in a complex: one that no index can hold is
+/// kNoIndex, which is as far out of range. `check` tells of both.
+inline std::uint32_t kept_index(std::int64_t number) {
+  return number < 0 || number > std::int64_t{kNoIndex} ? kNoIndex
+                                                       : static_cast<std::uint32_t>(number);
+}
+
 /// "name.poly" -> "name"; what follows the last point after the last slash is dropped.
 std::string stem(const std::string& name);
 /// ".poly", in lower case; empty if there is none.

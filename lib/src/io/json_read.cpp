@@ -11,17 +11,17 @@ namespace {
 /// Highest number of the format that this reader knows.
 constexpr std::int64_t kVersion = 1;
 
-/// Reads an array of tuples of indices into the vertices. After a tuple with a defect reading goes
-/// on, so that all of them are told.
-template <std::size_t N, class Add>
-bool read_tuples(const JsonValue& list, std::size_t vertices, const char* wanted, Add add) {
+/// Reads an array of tuples of indices with `read_index(value, &index)`. After a tuple with a
+/// defect reading goes on, so that all of them are told.
+template <std::size_t N, class ReadIndex, class Add>
+bool read_tuples(const JsonValue& list, const char* wanted, ReadIndex read_index, Add add) {
   bool ok = true;
   const bool is_array = list.for_each([&](const JsonValue& tuple, std::size_t) {
     std::array<std::uint32_t, N> indices{};
     bool good = tuple.is_array_of(N) || tuple.wrong_type(wanted);
     if (good)
       tuple.for_each([&](const JsonValue& v, std::size_t k) {
-        good = v.index(vertices, "vertices", &indices[k]) && good;
+        good = read_index(v, &indices[k]) && good;
         return true;
       });
     if (good) add(indices);
@@ -31,11 +31,11 @@ bool read_tuples(const JsonValue& list, std::size_t vertices, const char* wanted
   return is_array && ok;
 }
 
-bool read_indices(const JsonValue& list, std::size_t count, const char* of,
-                  std::vector<std::uint32_t>* out) {
+/// Indices of a complex may be out of range: `check` tells of them, and of all else with them.
+bool read_indices(const JsonValue& list, std::vector<std::uint32_t>* out) {
   return list.for_each([&](const JsonValue& v, std::size_t) {
     std::uint32_t index = 0;
-    if (!v.index(count, of, &index)) return false;
+    if (!v.any_index(&index)) return false;
     out->push_back(index);
     return true;
   });
@@ -57,20 +57,16 @@ bool read_face(const JsonValue& value, Complex* complex) {
   if (const Json* loops = value.find("loops")) {
     const bool ok = value.member(*loops, "loops").for_each([&](const JsonValue& v, std::size_t) {
       face.loops.emplace_back();
-      return read_indices(v, complex->vertices.size(), "vertices", &face.loops.back());
+      return read_indices(v, &face.loops.back());
     });
     if (!ok) return false;
   }
   if (const Json* holes = value.find("holes"))
     if (!read_points(value.member(*holes, "holes"), 3, &face.holes)) return false;
   if (const Json* segments = value.find("segments"))
-    if (!read_indices(value.member(*segments, "segments"), complex->segments.size(), "segments",
-                      &face.segments))
-      return false;
+    if (!read_indices(value.member(*segments, "segments"), &face.segments)) return false;
   if (const Json* vertices = value.find("vertices"))
-    if (!read_indices(value.member(*vertices, "vertices"), complex->vertices.size(), "vertices",
-                      &face.vertices))
-      return false;
+    if (!read_indices(value.member(*vertices, "vertices"), &face.vertices)) return false;
   complex->faces.push_back(std::move(face));
   return true;
 }
@@ -166,12 +162,14 @@ void count_input_vertices(Mesh* mesh) {
 /// Of the vertices of a mesh those of the input are the complex, where it is known which they are.
 void drop_steiner_vertices(const Mesh& mesh, Complex* complex) {
   std::size_t used = 0;  // vertices that the features of the complex need
-  for (const auto& s : complex->segments)
-    used = std::max<std::size_t>({used, s[0] + 1u, s[1] + 1u});
+  const auto use = [&](std::uint32_t v) {
+    if (v < complex->vertices.size()) used = std::max(used, std::size_t{v} + 1);
+  };
+  for (const auto& s : complex->segments) use(s[0]), use(s[1]);
   for (const Face& face : complex->faces) {
     for (const auto& loop : face.loops)
-      for (const std::uint32_t v : loop) used = std::max<std::size_t>(used, v + 1u);
-    for (const std::uint32_t v : face.vertices) used = std::max<std::size_t>(used, v + 1u);
+      for (const std::uint32_t v : loop) use(v);
+    for (const std::uint32_t v : face.vertices) use(v);
   }
   std::size_t kept = mesh.input_vertices;
   if (kept < used) kept += mesh.box_vertices;
@@ -190,8 +188,11 @@ bool read_mesh(const JsonValue& value, ReadResult& result) {
   if (!cells) return value.wrong_type("an object with \"cells\"");
   const JsonValue cell_list = value.member(*cells, "cells");
   const auto add = [&](const auto& v) { mesh.cells.insert(mesh.cells.end(), v.begin(), v.end()); };
-  if (!(mesh.dimension == 2 ? read_tuples<3>(cell_list, mesh.vertices.size(), "[a, b, c]", add)
-                            : read_tuples<4>(cell_list, mesh.vertices.size(), "[a, b, c, d]", add)))
+  const auto vertex = [&](const JsonValue& v, std::uint32_t* index) {
+    return v.index(mesh.vertices.size(), "vertices", index);
+  };
+  if (!(mesh.dimension == 2 ? read_tuples<3>(cell_list, "[a, b, c]", vertex, add)
+                            : read_tuples<4>(cell_list, "[a, b, c, d]", vertex, add)))
     return false;
   if (const Json* regions = value.find("cellRegions"); regions && !regions->empty()) {
     const JsonValue list = value.member(*regions, "cellRegions");
@@ -263,7 +264,8 @@ void read_own(const JsonValue& document, ReadResult& result) {
   bool ok = true;
   if (const Json* segments = document.find("segments"))
     ok = read_tuples<2>(
-        document.member(*segments, "segments"), complex.vertices.size(), "[a, b]",
+        document.member(*segments, "segments"), "[a, b]",
+        [](const JsonValue& v, std::uint32_t* index) { return v.any_index(index); },
         [&](const std::array<std::uint32_t, 2>& s) { complex.segments.push_back(s); });
   if (const Json* faces = document.find("faces"); faces && ok)
     ok = document.member(*faces, "faces").for_each([&](const JsonValue& v, std::size_t) {

@@ -1,7 +1,10 @@
 #include "io/json_value.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+
+#include "io/numbers.h"
 
 namespace circumball::io {
 namespace {
@@ -9,6 +12,9 @@ namespace {
 /// Bytes of a JSON document that is read: a parsed one takes up to about thirty times as much
 /// memory.
 constexpr std::size_t kMaxJsonBytes = std::size_t{1} << 28;
+
+/// Words for numbers that no double can hold.
+constexpr const char *kInfinite = "inf", *kMinusInfinite = "-inf";
 
 /// Walks over a document without building it: finds the error, or nesting that is too deep, and
 /// where.
@@ -48,6 +54,40 @@ class Scout : public nlohmann::json_sax<Json> {
   std::size_t depth_ = 0;
 };
 
+/// The document with its numbers that no double can hold replaced by words: the parser ends at
+/// them, although the rest is worth reading. Such a number has as many bytes as its word in quotes
+/// at least ("1e309"), so that every place stays where it is.
+std::string without_overflow(std::string_view bytes) {
+  std::string out(bytes);
+  bool in_string = false;
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    if (in_string) {
+      if (out[i] == '\\')
+        ++i;
+      else
+        in_string = out[i] != '"';
+      continue;
+    }
+    in_string = out[i] == '"';
+    const std::size_t digit = i + (out[i] == '-');
+    if (digit >= out.size() || out[digit] < '0' || out[digit] > '9') continue;
+    const std::size_t size = number_length(bytes.substr(i));
+    const double value = parse_double(bytes.substr(i, size)).value_or(0);
+    if (std::isinf(value)) {
+      const std::string word = "\"" + std::string(value < 0 ? kMinusInfinite : kInfinite) + "\"";
+      out.replace(i, size, word + std::string(size - word.size(), ' '));
+    }
+    i += size - 1;
+  }
+  return out;
+}
+
+std::size_t line_of(std::string_view bytes, std::size_t at) {
+  return static_cast<std::size_t>(
+             std::count(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(at), '\n')) +
+         1;
+}
+
 }  // namespace
 
 bool parse_json(std::string_view bytes, Json* json, ReadResult& result) {
@@ -56,21 +96,28 @@ bool parse_json(std::string_view bytes, Json* json, ReadResult& result) {
                 "the file has " + std::to_string(bytes.size()) + " bytes, more than the " +
                     std::to_string(kMaxJsonBytes) + " of JSON that are read: use .poly or .ele");
   Scout scout;
-  if (!Json::sax_parse(bytes.begin(), bytes.end(), &scout)) {
+  bool well_formed = Json::sax_parse(bytes.begin(), bytes.end(), &scout);
+  std::string replaced;
+  if (scout.overflow) {
+    const std::size_t at = std::min(scout.position, bytes.size());
+    warn(result, "not-finite",
+         "line " + std::to_string(line_of(bytes, at)) + ": the number near byte " +
+             std::to_string(at) + " is too large for a double: make it smaller");
+    replaced = without_overflow(bytes);
+    bytes = replaced;
+    scout = Scout();
+    well_formed = Json::sax_parse(bytes.begin(), bytes.end(), &scout);
+  }
+  if (!well_formed) {
     if (scout.too_deep)
       return fail(
           result, "too-large",
           "the JSON nests deeper than " + std::to_string(kMaxDepth) + " levels: flatten it");
     const std::size_t at = std::min(scout.position, bytes.size());
-    const auto line =
-        std::count(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(at), '\n');
-    const std::string where = "near byte " + std::to_string(at);
-    if (scout.overflow)
-      return fail_at(result, static_cast<std::size_t>(line) + 1, "not-finite",
-                     "the number " + where + " is too large for a double: make it smaller");
-    return fail_at(result, static_cast<std::size_t>(line) + 1, scout.ended ? "truncated" : "syntax",
+    return fail_at(result, line_of(bytes, at), scout.ended ? "truncated" : "syntax",
                    scout.ended ? "the JSON ends in the middle: the file is cut off"
-                               : "the JSON is not well-formed " + where + ": correct it there");
+                               : "the JSON is not well-formed near byte " + std::to_string(at) +
+                                     ": correct it there");
   }
   *json = Json::parse(bytes.begin(), bytes.end(), nullptr, /*allow_exceptions=*/false);
   return true;
@@ -105,6 +152,10 @@ bool JsonValue::number(double* value) const {
     *value = static_cast<double>(*i);
   else if (json_->is_null())
     *value = std::numeric_limits<double>::quiet_NaN();
+  else if (*json_ == kInfinite)
+    *value = std::numeric_limits<double>::infinity();
+  else if (*json_ == kMinusInfinite)
+    *value = -std::numeric_limits<double>::infinity();
   else
     return wrong_type("a number");
   return true;
@@ -142,6 +193,17 @@ bool JsonValue::index(std::size_t count, const char* of, std::uint32_t* value) c
                                           std::to_string(count) + " " + of +
                                           ", which are numbered from 0: correct it");
   *value = static_cast<std::uint32_t>(wide);
+  return true;
+}
+
+bool JsonValue::any_index(std::uint32_t* value) const {
+  if (const auto* u = json_->get_ptr<const std::uint64_t*>()) {
+    *value = *u > kNoIndex ? kNoIndex : static_cast<std::uint32_t>(*u);
+    return true;
+  }
+  std::int64_t wide = 0;
+  if (!integer(&wide)) return false;
+  *value = kept_index(wide);
   return true;
 }
 

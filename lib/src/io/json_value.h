@@ -15,7 +15,8 @@ namespace circumball::io {
 using Json = nlohmann::json;
 
 /// Parses `bytes`. Nesting, size and syntax are checked before anything is built; false after a
-/// defect.
+/// defect. A number that no double can hold becomes the text "inf" or "-inf", and a warning names
+/// its line.
 bool parse_json(std::string_view bytes, Json* json, ReadResult& result);
 
 /// A value inside a document, with its path for messages.
@@ -69,12 +70,15 @@ class JsonValue {
     return JsonValue(json, root ? key : path() + "." + key, *result_);
   }
 
-  /// A number; null stands for one that is not finite (JSON has no other word for it).
+  /// A number; null stands for one that is not finite (JSON has no other word for it), "inf" and
+  /// "-inf" for one that is too large.
   bool number(double* value) const;
   bool integer(std::int64_t* value) const;
   bool marker(std::int32_t* value) const;
   /// An index below `count` into `of` ("vertices").
   bool index(std::size_t count, const char* of, std::uint32_t* value) const;
+  /// An index that may be out of range: see kept_index.
+  bool any_index(std::uint32_t* value) const;
   /// A point with `dimension` coordinates.
   bool point(int dimension, Point3* value) const;
 

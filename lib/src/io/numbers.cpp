@@ -72,6 +72,23 @@ double convert(std::string_view text) {
 #endif
 }
 
+/// The integer that is all of `text`, or the nearest of 64 bits.
+std::optional<std::int64_t> integer(std::string_view text, bool* saturated) {
+  if (!text.empty() && text.front() == '+') {
+    text.remove_prefix(1);
+    if (!text.empty() && text.front() == '-') return std::nullopt;
+  }
+  std::int64_t value = 0;
+  const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (result.ptr != text.data() + text.size()) return std::nullopt;
+  *saturated = result.ec == std::errc::result_out_of_range;
+  if (*saturated)
+    return text.front() == '-' ? std::numeric_limits<std::int64_t>::min()
+                               : std::numeric_limits<std::int64_t>::max();
+  if (result.ec != std::errc()) return std::nullopt;
+  return value;
+}
+
 }  // namespace
 
 std::size_t number_length(std::string_view text) {
@@ -112,14 +129,14 @@ std::optional<double> parse_double(std::string_view text) {
 }
 
 std::optional<std::int64_t> parse_integer(std::string_view text) {
-  if (!text.empty() && text.front() == '+') {
-    text.remove_prefix(1);
-    if (!text.empty() && text.front() == '-') return std::nullopt;
-  }
-  std::int64_t value = 0;
-  const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (result.ec != std::errc() || result.ptr != text.data() + text.size()) return std::nullopt;
-  return value;
+  bool saturated = false;
+  const auto value = integer(text, &saturated);
+  return saturated ? std::nullopt : value;
+}
+
+std::optional<std::int64_t> parse_saturated_integer(std::string_view text) {
+  bool saturated = false;
+  return integer(text, &saturated);
 }
 
 Decimal shortest_decimal(double value) {

@@ -22,6 +22,10 @@ std::optional<double> parse_double(std::string_view text);
 /// The integer that is all of `text`; nothing if it is anything else or does not fit.
 std::optional<std::int64_t> parse_integer(std::string_view text);
 
+/// The same, but an integer that does not fit is the nearest that does: for indices, which are out
+/// of range either way.
+std::optional<std::int64_t> parse_saturated_integer(std::string_view text);
+
 /// The shortest decimal that reads back as the same double, and among those the nearest: 0.d1d2d3…
 /// * 10^exponent.
 struct Decimal {

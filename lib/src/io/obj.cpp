@@ -29,23 +29,20 @@ bool read_vertex(Lines& lines, PolygonSoup* soup, ReadResult& result) {
 }
 
 /// Reads the index "i", "i/j", "i//k" or "i/j/k": from 1, or from -1 backwards from the last vertex
-/// so far.
+/// so far. One that is out of range is kept so; `missing` tells of it.
 bool read_index(Lines& lines, std::size_t so_far, std::size_t vertices, std::uint32_t* index,
-                ReadResult& result) {
+                std::vector<std::string>* missing, ReadResult& result) {
   const std::string_view word = lines.word();
-  const auto number = parse_integer(word.substr(0, word.find('/')));
+  const auto number = parse_saturated_integer(word.substr(0, word.find('/')));
   if (!number)
     return fail_at(result, lines.number(), "syntax",
                    in_quotes(word) + " is not an index: a vertex number is wanted");
   const std::int64_t i = *number < 0 ? static_cast<std::int64_t>(so_far) + *number : *number - 1;
-  *index = kNoIndex;
-  if (*number == 0 || i < 0 || i >= static_cast<std::int64_t>(vertices)) {
-    fail_at(result, lines.number(), "index-out-of-range",
-            "there is no vertex " + std::to_string(*number) + ": the file has " +
-                std::to_string(vertices) + ", numbered from 1, or from -1 backwards");
-    return true;
-  }
-  *index = static_cast<std::uint32_t>(i);
+  *index = kept_index(i);
+  if (*index >= vertices && missing->size() < kMaxDefects)
+    missing->push_back("line " + std::to_string(lines.number()) + ": there is no vertex " +
+                       std::to_string(*number) + ": the file has " + std::to_string(vertices) +
+                       ", numbered from 1, or from -1 backwards");
   return true;
 }
 
@@ -65,7 +62,8 @@ void read_obj(std::string_view bytes, ReadResult& result) {
     std::uint32_t index = kNoIndex, last = kNoIndex;
     std::size_t count = 0;
     for (; !lines.at_end_of_line(); ++count, last = index) {
-      if (!read_index(lines, so_far, soup.vertices.size(), &index, result)) return;
+      auto* const missing = keyword == "f" ? &soup.missing_corners : &soup.missing_ends;
+      if (!read_index(lines, so_far, soup.vertices.size(), &index, missing, result)) return;
       if (keyword == "f")
         soup.corners.push_back(index);
       else if (count > 0)

@@ -53,15 +53,16 @@ void read_off(std::string_view bytes, ReadResult& result) {
     std::uint32_t last = 0;
     for (std::int64_t k = 0; k < *corners; ++k) {
       const std::string_view word = lines.word();
-      const auto v = parse_integer(word);
+      const auto v = parse_saturated_integer(word);
       if (!v)
         return bad("syntax", "corner " + std::to_string(k + 1) + " of " + std::to_string(*corners) +
                                  " should be a vertex number, not " + in_quotes(word));
-      if (*v < 0 || *v >= *vertices)
-        return bad("index-out-of-range", "there is no vertex " + std::to_string(*v) +
-                                             ": the file has " + std::to_string(*vertices) +
-                                             ", numbered from 0");
-      const auto corner = static_cast<std::uint32_t>(*v);
+      auto& missing = *corners > 2 ? soup.missing_corners : soup.missing_ends;
+      if ((*v < 0 || *v >= *vertices) && missing.size() < kMaxDefects)
+        missing.push_back("line " + std::to_string(lines.number()) + ": there is no vertex " +
+                          std::to_string(*v) + ": the file has " + std::to_string(*vertices) +
+                          ", numbered from 0");
+      const std::uint32_t corner = kept_index(*v);
       if (*corners > 2)
         soup.corners.push_back(corner);
       else if (k == 1)  // a polygon of two corners is a line

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "io/formats.h"
+
 namespace circumball::io {
 namespace {
 
@@ -21,8 +23,9 @@ std::vector<Side> sides(const PolygonSoup& soup) {
 }
 
 /// The sides that occur once (`boundary`), or all of them once; in the order of their first
-/// occurrence.
-std::vector<Side> distinct(const std::vector<Side>& all, bool boundary) {
+/// occurrence. Those with an end that is none of the `vertices` are all kept: what they were meant
+/// to be is not known.
+std::vector<Side> distinct(const std::vector<Side>& all, std::size_t vertices, bool boundary) {
   struct Entry {
     Side key;
     std::size_t place;
@@ -37,7 +40,9 @@ std::vector<Side> distinct(const std::vector<Side>& all, bool boundary) {
   std::vector<std::size_t> places;
   for (std::size_t i = 0, j = 0; i < entries.size(); i = j) {
     for (j = i; j < entries.size() && entries[j].key == entries[i].key;) ++j;
-    if (entries[i].key[0] != entries[i].key[1] && (!boundary || j == i + 1))
+    if (entries[i].key[1] >= vertices)
+      for (std::size_t k = i; k < j; ++k) places.push_back(entries[k].place);
+    else if (entries[i].key[0] != entries[i].key[1] && (!boundary || j == i + 1))
       places.push_back(entries[i].place);
   }
   std::sort(places.begin(), places.end());
@@ -57,7 +62,21 @@ void take_soup(PolygonSoup&& soup, ReadResult& result) {
                                   [](const Point3& p) { return p.z < 0 || p.z > 0; });
   complex.dimension = plane ? 2 : 3;
   complex.vertices = std::move(soup.vertices);
-  complex.segments = distinct(soup.segments, false);
+  const std::size_t n = complex.vertices.size();
+  complex.segments = distinct(soup.segments, n, false);
+  bool triangles = soup.polygon_count() > 0;
+  for (std::size_t i = 0; i < soup.polygon_count(); ++i)
+    triangles = triangles && soup.ends[i + 1] - soup.ends[i] == 3;
+  if (plane && triangles && !soup.missing_corners.empty()) {
+    for (const std::string& message : soup.missing_corners)
+      fail(result, "index-out-of-range", message);
+    return;
+  }
+  for (const auto* missing : {&soup.missing_ends, &soup.missing_corners})
+    if (!missing->empty()) {
+      warn(result, "index-out-of-range", missing->front());
+      break;
+    }
   if (!plane) {
     for (std::size_t i = 0; i < soup.polygon_count(); ++i) {
       Face face;
@@ -67,16 +86,16 @@ void take_soup(PolygonSoup&& soup, ReadResult& result) {
     }
     return;
   }
-  for (Point3& p : complex.vertices) p.z = 0;
+  for (Point3& p : complex.vertices) {
+    if (p.z != 0) p.x = p.z;  // not a number: the plane has no other place to say so
+    p.z = 0;
+  }
   if (soup.polygon_count() == 0) return;
-  bool triangles = true;
-  for (std::size_t i = 0; i < soup.polygon_count(); ++i)
-    triangles = triangles && soup.ends[i + 1] - soup.ends[i] == 3;
   if (!triangles) {
     std::vector<Side> all = std::move(complex.segments);
     const std::vector<Side> more = sides(soup);
     all.insert(all.end(), more.begin(), more.end());
-    complex.segments = distinct(all, false);
+    complex.segments = distinct(all, n, false);
     return;
   }
   result.mesh.emplace();
@@ -87,9 +106,10 @@ void take_soup(PolygonSoup&& soup, ReadResult& result) {
     PolygonSoup cells;
     cells.corners = mesh.cells;
     cells.ends = std::move(soup.ends);
-    complex.segments = distinct(sides(cells), true);
+    complex.segments = distinct(sides(cells), n, true);
   }
-  for (const Side& s : complex.segments) mesh.edges.push_back({s[0], s[1], kNoIndex});
+  for (const Side& s : complex.segments)
+    if (s[0] < n && s[1] < n) mesh.edges.push_back({s[0], s[1], kNoIndex});
 }
 
 }  // namespace circumball::io

@@ -15,13 +15,19 @@ struct PolygonSoup {
   std::vector<std::uint32_t> ends{0};  ///< polygon i has the corners [ends[i], ends[i + 1])
   std::vector<std::array<std::uint32_t, 2>> segments;  ///< lines that are drawn beside the polygons
 
+  /// Vertex numbers that are not there, in sentences that name the line: of corners (at most
+  /// kMaxDefects), and the first of lines. Their indices are kept, out of range.
+  std::vector<std::string> missing_corners, missing_ends;
+
   std::size_t polygon_count() const { return ends.size() - 1; }
   void end_polygon() { ends.push_back(static_cast<std::uint32_t>(corners.size())); }
 };
 
 /// Makes a complex, and where it can a mesh, of a soup. In the plane z = 0: triangles are the cells
 /// of a mesh, whose boundary is the complex where no lines are drawn; other polygons give their
-/// sides as segments. In space every polygon is a face.
+/// sides as segments. In space every polygon is a face. Indices out of range are a defect in the
+/// cells of a mesh, and elsewhere left for `check` to tell of; a warning names the line of the
+/// first.
 void take_soup(PolygonSoup&& soup, ReadResult& result);
 
 }  // namespace circumball::io

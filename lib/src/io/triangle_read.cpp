@@ -25,6 +25,29 @@ class Parser {
                    file_.empty() ? message : file_ + ": " + message);
   }
 
+  /// A vertex number that is not there: in a complex it is kept for `check` to tell of, and a
+  /// warning names the line of the first; in a mesh it is a defect.
+  void no_such_vertex(bool of_mesh, const std::string& message) {
+    if (of_mesh) {
+      fail_here("index-out-of-range", message);
+    } else if (!warned_) {
+      warn(result_, "index-out-of-range",
+           "line " + std::to_string(lines_.number()) + ": " + message);
+      warned_ = true;
+    }
+  }
+
+  /// The next word as a vertex number; one that does not fit in 64 bits is the nearest that does.
+  bool vertex_number(const std::string& what, std::int64_t* value) {
+    Lines ahead = lines_;
+    if (const auto number = parse_saturated_integer(ahead.word())) {
+      lines_ = ahead;
+      *value = *number;
+      return true;
+    }
+    return integer(what, std::nullopt, value);
+  }
+
   /// The next word as an integer; `missing` where the line has ended (nothing: that is a defect).
   bool integer(const std::string& what, std::optional<std::int64_t> missing, std::int64_t* value) {
     const std::string_view word = lines_.word();
@@ -108,6 +131,7 @@ class Parser {
   Lines lines_;
   std::string file_;
   ReadResult& result_;
+  bool warned_ = false;
 };
 
 /// Number of the first vertex in the files of a family: 0 or 1.
@@ -185,26 +209,24 @@ bool read_node(Parser& p, Base* base, Complex* complex) {
   return read_node_header(p, &header) && read_vertices(p, header, base, complex);
 }
 
-/// A vertex number of the file as an index; out of range is a defect, after which reading goes on.
+/// A vertex number of the file as an index. Reading goes on after one that is out of range.
 bool vertex_index(Parser& p, const std::string& what, const Base& base, std::size_t vertices,
-                  std::uint32_t* index) {
+                  bool of_mesh, std::uint32_t* index) {
   std::int64_t number = 0;
-  if (!p.integer(what, std::nullopt, &number)) return false;
-  const std::int64_t shifted = number - base.first;
-  if (number < base.first || shifted >= static_cast<std::int64_t>(vertices)) {
-    p.fail_here("index-out-of-range",
-                what + " is vertex " + std::to_string(number) + ", but the vertices are " +
-                    std::to_string(base.first) + " to " +
-                    std::to_string(base.first + static_cast<std::int64_t>(vertices) - 1) +
-                    ": correct the number");
-    *index = kNoIndex;
-    return true;
-  }
-  *index = static_cast<std::uint32_t>(shifted);
+  if (!p.vertex_number(what, &number)) return false;
+  *index = number < base.first ? kNoIndex : kept_index(number - base.first);
+  if (*index < vertices) return true;
+  p.no_such_vertex(
+      of_mesh, what + " is vertex " + std::to_string(number) + ", but " +
+                   (vertices == 0 ? std::string("there are none")
+                                  : "the vertices are " + std::to_string(base.first) + " to " +
+                                        std::to_string(base.first +
+                                                       static_cast<std::int64_t>(vertices) - 1)) +
+                   ": correct the number");
   return true;
 }
 
-bool read_segments(Parser& p, const Base& base, Complex* complex) {
+bool read_segments(Parser& p, const Base& base, bool of_mesh, Complex* complex) {
   std::size_t count = 0;
   std::int64_t markers = 0, number = 0;
   if (!p.count("segments", std::nullopt, 6, &count)) return false;
@@ -220,7 +242,7 @@ bool read_segments(Parser& p, const Base& base, Complex* complex) {
     if (!p.integer("the segment number", std::nullopt, &number)) return false;
     for (std::size_t k = 0; k < 2; ++k)
       if (!vertex_index(p, k == 0 ? "the first end" : "the second end", base,
-                        complex->vertices.size(), &segment[k]))
+                        complex->vertices.size(), of_mesh, &segment[k]))
         return false;
     complex->segments.push_back(segment);
     if (markers) {
@@ -299,7 +321,7 @@ void read_node_or_poly(std::string_view bytes, const std::string& name, const Si
     return;
   }
   result.format = "triangle-poly";
-  if (read_segments(p, base, &result.complex)) read_seeds(p, &result.complex);
+  if (read_segments(p, base, false, &result.complex)) read_seeds(p, &result.complex);
 }
 
 /// Segments of the .edge file beside a mesh: edges with a marker, or with a segment number in a
@@ -316,7 +338,7 @@ bool read_edges(Parser& p, const Base& base, ReadResult& result) {
     std::int32_t marker = 0;
     if (!p.next("edges", i, count)) return false;
     if (!p.integer("the edge number", std::nullopt, &number)) return false;
-    if (!vertex_index(p, "the first end", base, mesh.vertices.size(), &edge.a)) return false;
+    if (!vertex_index(p, "the first end", base, mesh.vertices.size(), true, &edge.a)) return false;
     if (p.lines().at_end_of_line())
       return p.fail_here("syntax", "the edge has one end: add the other");
     std::int64_t second = 0, feature = 0;
@@ -372,7 +394,7 @@ void read_ele(std::string_view bytes, const std::string& name, const Sibling& si
     if (!p.integer("the triangle number", std::nullopt, &number)) return;
     for (std::int64_t k = 0; k < corners; ++k) {
       std::uint32_t v = 0;
-      if (!vertex_index(p, "a corner", base, mesh.vertices.size(), &v)) return;
+      if (!vertex_index(p, "a corner", base, mesh.vertices.size(), true, &v)) return;
       if (k < 3) mesh.cells.push_back(v);  // nodes 4 to 6 are the midpoints of the edges
     }
     for (std::size_t k = 0; k < attributes; ++k) {
@@ -402,7 +424,8 @@ void read_ele(std::string_view bytes, const std::string& name, const Sibling& si
       if (!read_vertices(poly_parser, header, &base, &complex)) return;
     }
     if (!poly_parser.lines().next()) return;
-    if (!read_segments(poly_parser, base, &complex) || !read_seeds(poly_parser, &complex)) return;
+    if (!read_segments(poly_parser, base, true, &complex) || !read_seeds(poly_parser, &complex))
+      return;
     if (header.vertices == 0 && mesh.edges.empty()) {
       for (const auto& s : complex.segments) mesh.edges.push_back({s[0], s[1], kNoIndex});
       mesh.edge_markers = complex.segment_markers;

@@ -15,6 +15,7 @@ constexpr double kSlack = 1e-10;
 std::vector<bool> acute_corners(const Complex& complex) {
   std::vector<std::vector<Point2>> ends(complex.vertices.size());
   for (const auto& s : complex.segments) {
+    if (s[0] >= ends.size() || s[1] >= ends.size()) continue;
     ends[s[0]].push_back(xy(complex.vertices[s[1]]));
     ends[s[1]].push_back(xy(complex.vertices[s[0]]));
   }
