@@ -26,6 +26,15 @@ bool take(const std::string& bytes, std::size_t* at, std::uint64_t count, T* out
   return true;
 }
 
+/// Large traces grow by factors of 4 where addresses are plenty: pages that are never touched cost
+/// nothing, and those that are copied are most of what recording costs.
+template <class T>
+void make_room(std::vector<T>* all, std::size_t more) {
+  if (all->capacity() - all->size() >= more) return;
+  constexpr std::size_t kFactor = sizeof(void*) > 4 ? 4 : 2;
+  all->reserve(std::max(all->size() + more, kFactor * all->capacity()));
+}
+
 /// How many vertices a simplex of an event has.
 unsigned corners(const Event& e) { return e.dimension == 0 ? 0 : e.dimension + 1u; }
 
@@ -108,6 +117,8 @@ std::string why_refused(Reason reason) {
 }  // namespace
 
 void Trace::event(const Event& e, const std::uint32_t* data, std::size_t count) {
+  make_room(&events, 1);
+  make_room(&simplices, count);
   events.push_back(e);
   simplices.insert(simplices.end(), data, data + count);
 }
