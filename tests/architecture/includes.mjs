@@ -4,7 +4,10 @@
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join, relative } from 'node:path';
 
-/** Which layers of lib/src a layer may include, besides itself and the public headers in `headers`. */
+/**
+ * Which layers of lib/src, or which single headers of one, a layer may include, besides itself and the public headers
+ * in `headers`.
+ */
 export const layers = {
   predicates: [],
   delaunay: ['predicates'],
@@ -16,7 +19,7 @@ export const layers = {
   // Verification may reason about complexes as `check` does; what it shares with the mesher is looked at below.
   quality: ['predicates', 'complex', 'feature_size'],
   fem: [],
-  io: [],
+  io: ['predicates/elementary'], // rotations of drawings are the same everywhere
   report: [],
 };
 
@@ -79,7 +82,9 @@ export function objection(layer, { quoted, name }) {
   }
   if (!name.includes('/')) return ''; // a neighbour in the same folder
   const target = name.split('/')[0];
-  if (target === layer || layers[layer].includes(target)) return '';
+  const allowed = layers[layer];
+  if (target === layer || allowed.includes(target) || allowed.includes(name.replace(/\.h$/, '')))
+    return '';
   return layers[target]
     ? `${layer} may not know ${target}`
     : `"${name}" is neither a public header nor of a layer`;
@@ -161,6 +166,7 @@ function selfTest() {
     ['complex', { quoted: true, name: 'feature_size/feature_size.h' }],
     ['quality', { quoted: true, name: 'circumball/refine.h' }],
     ['io', { quoted: true, name: 'complex/live2.h' }],
+    ['io', { quoted: true, name: 'predicates/expansion.h' }],
     ['refinement', { quoted: true, name: 'algorithms/ruppert.h' }],
     ['delaunay', { quoted: false, name: 'fmt/format.h' }],
   ];

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "io/numbers.h"
+#include "predicates/elementary.h"
 
 namespace circumball::io {
 namespace {
@@ -41,17 +42,10 @@ Affine compose(const Affine& o, const Affine& i) {
 
 Point2 cos_sin_degrees(double degrees) {
   const double turn = std::fmod(degrees, 360.0);  // exact
+  if (turn != turn) return {turn, turn};
   const double quarter = std::floor(turn / 90 + 0.5);
-  constexpr double kRadian = 0.017453292519943295;  // pi / 180
-  const double x = (turn - 90 * quarter) * kRadian, y = x * x;
-  // Taylor series: for |x| <= pi/4 the first term left out is below 1e-17.
-  double cosine = 0, sine = 0;
-  for (int k = 16; k >= 2; k -= 2) {
-    cosine = (1 + cosine) * -y / (k * (k - 1.0));
-    sine = (1 + sine) * -y / (k * (k + 1.0));
-  }
-  cosine = 1 + cosine;
-  sine = x * (1 + sine);
+  const double x = (turn - 90 * quarter) * (elementary::kPi / 180);
+  const double cosine = elementary::cos(x), sine = elementary::sin(x);
   switch ((static_cast<int>(quarter) % 4 + 4) % 4) {
     case 0:
       return {cosine, sine};
