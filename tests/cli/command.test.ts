@@ -87,6 +87,30 @@ describe.each(commands)('%s', (_, command) => {
       }
     });
 
+    it('check lists what refers to nothing together with all else, and convert refuses it', () => {
+      bench.write(
+        'five.poly',
+        '6 2 0 0\n1 0 0\n2 4 4\n3 0 4\n4 4 0\n5 nan 1\n6 0 0\n4 0\n1 1 2\n2 3 4\n3 1 12\n4 0 4\n0\n',
+      );
+      for (const args of [
+        ['check', 'five.poly'],
+        ['convert', 'five.poly', 'five.json'],
+        ['mesh', 'five.poly', '-o', 'five.ele'],
+      ]) {
+        const { code, err } = bench.run(...args);
+        expect(code).toBe(3);
+        expect(lines(err).map((line) => line.split(': ')[1])).toEqual([
+          'not-finite',
+          'index-out-of-range',
+          'index-out-of-range',
+          'duplicate-vertices',
+          'segments-cross',
+        ]);
+        expect(err).toMatch(/warning: index-out-of-range: line 11: .*vertex 12/);
+      }
+      expect(existsSync(join(bench.folder, 'five.json'))).toBe(false);
+    });
+
     it('missing, empty, foreign, truncated and lying files', () => {
       bench.write('empty.poly', '');
       bench.write('binary.poly', '\0\x01\x02\xff'.repeat(100));

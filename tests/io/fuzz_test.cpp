@@ -133,11 +133,27 @@ void expect_tame(const std::string& name, const std::string& bytes, const Siblin
       ASSERT_TRUE(r.complex.vertices.empty());
       return;
     }
-    // What is given away is sound: the writers and `check` may rely on it.
+    // A mesh is sound: the writers rely on it. Of a complex `check` tells what is not.
     const std::size_t n = r.complex.vertices.size();
-    for (const auto& s : r.complex.segments) ASSERT_TRUE(s[0] < n && s[1] < n) << bytes;
+    bool sound = true;
+    for (const auto& s : r.complex.segments) sound = sound && s[0] < n && s[1] < n;
+    const std::vector<Defect> numbers = check_numbers(r.complex);
+    ASSERT_EQ(sound, std::none_of(numbers.begin(), numbers.end(),
+                                  [](const Defect& d) {
+                                    return d.name == "index-out-of-range" &&
+                                           d.features[0].kind == FeatureKind::kSegment;
+                                  }))
+        << bytes;
+    if (!numbers.empty()) {
+      const std::vector<Defect> all = check(r.complex);
+      ASSERT_GE(all.size(), numbers.size()) << bytes;
+      smallest_angle_degrees(r.complex);
+      with_box(r.complex, 3);
+    }
     if (r.mesh) {
       for (const std::uint32_t v : r.mesh->cells) ASSERT_LT(v, r.mesh->vertices.size()) << bytes;
+      for (const MeshEdge& e : r.mesh->edges)
+        ASSERT_TRUE(e.a < r.mesh->vertices.size() && e.b < r.mesh->vertices.size()) << bytes;
       ASSERT_TRUE(r.mesh->vertex_features.empty() ||
                   r.mesh->vertex_features.size() == r.mesh->vertices.size());
       ASSERT_TRUE(r.mesh->edge_markers.empty() ||
@@ -148,7 +164,8 @@ void expect_tame(const std::string& name, const std::string& bytes, const Siblin
     std::string error;
     for (const char* extension : {".poly", ".json", ".obj", ".svg"}) {
       const std::size_t written = write_complex(r.complex, extension, &error).size();
-      ASSERT_EQ(written, r.complex.dimension == 2 || std::string(".json") == extension) << bytes;
+      ASSERT_EQ(written, sound && (r.complex.dimension == 2 || std::string(".json") == extension))
+          << bytes;
     }
   }
   ASSERT_EQ(live_bytes, before);

@@ -46,6 +46,14 @@ inline std::string names(const ReadResult& result) {
   return out;
 }
 
+/// Names and messages of the defects of `check`, one a line; no warnings.
+inline std::string check_text(const Complex& complex) {
+  std::string out;
+  for (const Defect& d : check(complex))
+    if (!d.warning) out += d.name + ": " + d.message + "\n";
+  return out;
+}
+
 /// The family that a mesh was written as, by extension, under one stem.
 inline std::map<std::string, std::string> files(const std::vector<OutputFile>& output,
                                                 const std::string& stem) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "circumball/io.h"
 #include "io/svg_geometry.h"
@@ -10,6 +11,7 @@
 namespace circumball {
 namespace {
 
+using io_test::check_text;
 using io_test::names;
 
 std::string svg(const std::string& content) {
@@ -167,6 +169,7 @@ TEST(SvgTransform, CosineAndSineAgreeWithTheLibraryToAFewUlp) {
     EXPECT_NEAR(r.x * r.x + r.y * r.y, 1, 1e-15);
   }
   EXPECT_EQ(io::cos_sin_degrees(-90), (Point2{0, -1}));
+  EXPECT_TRUE(std::isnan(io::cos_sin_degrees(std::numeric_limits<double>::infinity()).x));
 }
 
 TEST(SvgDocument, WhatIsNotDrawnIsNotRead) {
@@ -257,17 +260,45 @@ TEST(Obj, MalformedFilesAreNamed) {
   const std::pair<const char*, const char*> cases[] = {
       {"v 1\n", "syntax"},
       {"v 1 x\n", "syntax"},
-      {"l 1 2\n", "index-out-of-range index-out-of-range"},
-      {"v 0 0\nv 1 1\nl 1 3\n", "index-out-of-range"},
-      {"v 0 0\nv 1 1\nl 0 1\n", "index-out-of-range"},
-      {"v 0 0\nl 1 -2\nv 1 1\n", "index-out-of-range"},
+      {"l 1 2\n", "empty"},
+      {"v 0 0\nv 1 1\nl 1 3\n", "(index-out-of-range)"},
+      {"v 0 0\nv 1 1\nl 0 1\n", "(index-out-of-range)"},
+      {"v 0 0\nl 1 -2\nv 1 1\n", "(index-out-of-range)"},
+      {"v 0 0\nv 1 1\nl 1 3 7 0\n", "(index-out-of-range)"},
+      {"v 0 0\nv 1 1\nv 0 1\nf 1 2 9\nf 1 2 0\n", "index-out-of-range index-out-of-range"},
+      {"v 0 0\nv 1 1\nv 0 1\nf 1 2 3 9\n", "(index-out-of-range)"},
+      {"v 0 0 1\nv 1 1 0\nv 0 1 0\nf 1 2 9\n", "(index-out-of-range)"},
       {"v 0 0\nv 1 1\nl 1\n", "syntax"},
       {"v 0 0\nv 1 1\nf 1 2\n", "syntax"},
       {"v 0 0\nv 1 1\nl 1 a\n", "syntax"},
-      {"v 0 0\nl 1 99999999999999999999\n", "syntax"},
+      {"v 0 0\nl 1 99999999999999999999\n", "(index-out-of-range)"},
       {"o nothing\n", "empty"},
   };
   for (const auto& [text, defect] : cases) EXPECT_EQ(names(read(text, "a.obj")), defect) << text;
+}
+
+TEST(Obj, IndicesOutOfRangeAreAllKept) {
+  // Neither lines that lead nowhere twice nor ones whose both ends are lost are taken for one.
+  const ReadResult lines = read("v 0 0\nv 1 1\nl 1 2\nl 2 1\nl 0 0\nl 1 9\nl 1 9\n", "a.obj");
+  const std::vector<std::array<std::uint32_t, 2>> wanted = {
+      {0, 1}, {kNoIndex, kNoIndex}, {0, 8}, {0, 8}};
+  EXPECT_EQ(lines.complex.segments, wanted);
+  const ReadResult sides = read("v 0 0\nv 1 0\nv 1 1\nf 1 2 3 9\n", "a.obj");
+  EXPECT_EQ(sides.complex.segments.size(), 4u);
+  EXPECT_FALSE(sides.mesh.has_value());
+  const ReadResult faces = read("v 0 0 1\nv 1 0 0\nv 1 1 0\nf 1 2 9\n", "a.obj");
+  EXPECT_EQ(check_text(faces.complex).find("index-out-of-range: face 0 refers to vertex 8,"), 0u);
+  // The cells of a mesh are whole: lines beside them that lead nowhere are no edges of it.
+  const ReadResult mesh = read("v 0 0\nv 1 0\nv 1 1\nf 1 2 3\nl 1 2\nl 2 9\n", "a.obj");
+  ASSERT_TRUE(mesh.mesh.has_value());
+  EXPECT_EQ(mesh.mesh->edges.size(), 1u);
+  EXPECT_EQ(mesh.complex.segments.size(), 2u);
+}
+
+TEST(Obj, AHeightThatIsNoNumberIsTold) {
+  const ReadResult r = read("v 0 0 nan\nv 1 1 0\nl 1 2\n", "a.obj");
+  EXPECT_EQ(r.complex.dimension, 2);
+  EXPECT_EQ(check_text(r.complex).find("not-finite: vertex 0 "), 0u);
 }
 
 TEST(Off, PlanarTrianglesAreAMeshAndLiesAboutCountsAreFound) {
@@ -282,6 +313,7 @@ TEST(Off, PlanarTrianglesAreAMeshAndLiesAboutCountsAreFound) {
       {"OFF a b c\n", "syntax"},
       {"OFF 1 1 0\n0 0 0\n9 0 0 0 0\n", "syntax"},
       {"OFF 1 1 0\n0 0 0\n3 0 0 1\n", "index-out-of-range"},
+      {"OFF 1 1 0\n0 0 0\n2 0 1\n", "(index-out-of-range)"},
       {"OFF 2 0 0\n0 0 0        \n", "truncated"},
       {"OFF 1 0 0\n0 0   \n", "syntax"},
   };

@@ -8,6 +8,7 @@
 namespace circumball {
 namespace {
 
+using io_test::check_text;
 using io_test::folder;
 using io_test::names;
 
@@ -170,10 +171,6 @@ TEST(TriangleMalformed, EachFileHasItsNamedDefectWithLineAndAdvice) {
       {"2 2 0 0\n1 0 0\n3 0 0\n", "numbering", "line 3"},
       {"2 2 0 1\n1 0 0 x\n2 1 1 0\n", "syntax", "line 2"},
       {"2 2 0 1\n1 0 0 99999999999\n2 1 1 0\n", "too-large", "line 2"},
-      {"2 2 0 0\n1 0 0\n2 1 1\n1 0\n1 1 3\n0\n", "index-out-of-range", "line 5"},
-      {"2 2 0 0\n1 0 0\n2 1 1\n1 0\n1 0 1\n0\n", "index-out-of-range", "line 5"},
-      {"2 2 0 0\n0 0 0\n1 1 1\n1 0\n1 -1 1\n0\n", "index-out-of-range", "line 5"},
-      {"2 2 0 0\n1 0 0\n2 1 1\n1 0\n1 99999999999999999 1\n0\n", "index-out-of-range", "line 5"},
       {"2 2 0 0\n1 0 0\n2 1 1\n5 0\n1 1 2\n", "truncated", "line 4"},
       {"2 2 0 0\n1 0 0\n2 1 1\n1 0\n1 1     \n", "syntax", "line 5"},
       {"2 2 0 0\n1 0 0\n2 1 1\n1 0\n1 1 2\n3\n1 .5 .5\n", "truncated", "line 6"},
@@ -197,9 +194,73 @@ TEST(TriangleMalformed, APolyFileThatEndsBeforeItsSegmentsIsTruncated) {
   EXPECT_EQ(names(read("1 2 0 0\n1 0 0\n", "a.poly")), "truncated");
 }
 
-TEST(TriangleMalformed, AllIndicesOutOfRangeAreListed) {
-  EXPECT_EQ(names(read("2 2 0 0\n1 0 0\n2 1 1\n3 0\n1 1 3\n2 1 2\n3 8 9\n0\n", "a.poly")),
-            "index-out-of-range index-out-of-range index-out-of-range");
+TEST(TriangleMalformed, IndicesOutOfRangeStaySoForCheckToTellAndTheFirstLineIsTold) {
+  const struct {
+    const char *base, *end;
+    std::uint32_t index;
+  } cases[] = {
+      {"1", "3", 2},
+      {"1", "0", kNoIndex},
+      {"1", "-9223372036854775808", kNoIndex},
+      {"1", "4294967296", kNoIndex},
+      {"1", "99999999999999999", kNoIndex},
+      {"1", "99999999999999999999999999", kNoIndex},
+      {"1", "-99999999999999999999999999", kNoIndex},
+      {"0", "2", 2},
+      {"0", "-1", kNoIndex},
+      {"0", "4294967295", kNoIndex},
+  };
+  for (const auto& c : cases) {
+    const std::string second = c.base[0] == '1' ? "2" : "1";
+    const ReadResult r = read("2 2 0 0\n" + std::string(c.base) + " 0 0\n" + second +
+                                  " 1 1\n3 0\n1 " + c.base + " " + second + "\n2 " + c.end + " " +
+                                  c.base + "\n3 " + c.base + " " + c.end + "\n0\n",
+                              "a.poly");
+    ASSERT_EQ(names(r), "(index-out-of-range)") << c.end;
+    EXPECT_EQ(r.defects[0].message.find("line 6: the first end is vertex "), 0u)
+        << r.defects[0].message;
+    EXPECT_EQ(r.complex.segments[1], (std::array<std::uint32_t, 2>{c.index, 0})) << c.end;
+    const std::string text = check_text(r.complex);
+    EXPECT_NE(text.find("index-out-of-range: segment 1 "), std::string::npos) << text;
+    EXPECT_NE(text.find("index-out-of-range: segment 2 "), std::string::npos) << text;
+  }
+}
+
+TEST(CheckOfAFile, NamesEveryKindOfDefectAtOnce) {
+  // A vertex that is no number, two indices that lead nowhere, a crossing and a duplicate vertex.
+  const std::pair<const char*, const char*> files[] = {
+      {"a.poly",
+       "6 2 0 0\n1 0 0\n2 4 4\n3 0 4\n4 4 0\n5 nan 1\n6 0 0\n"
+       "4 0\n1 1 2\n2 3 4\n3 1 12\n4 0 4\n0\n"},
+      {"a.obj", "v 0 0\nv 4 4\nv 0 4\nv 4 0\nv nan 1\nv 0 0\nl 1 2\nl 3 4\nl 1 12\nl 0 4\n"},
+      {"a.off",
+       "OFF 6 4 0\n0 0 0\n4 4 0\n0 4 0\n4 0 0\nnan 1 0\n0 0 0\n"
+       "2 0 1\n2 2 3\n2 0 11\n2 -1 3\n"},
+      {"a.json", R"({"circumball": 1, "dimension": 2,
+        "vertices": [[0,0],[4,4],[0,4],[4,0],[null,1],[0,0]],
+        "segments": [[0,1],[2,3],[0,11],[-1,3]]})"},
+  };
+  for (const auto& [name, bytes] : files) {
+    const ReadResult r = read(bytes, name);
+    ASSERT_TRUE(r.ok()) << name << ": " << names(r);
+    EXPECT_EQ(
+        check_text(r.complex),
+        "not-finite: vertex 4 has coordinates (nan, 1): give it finite numbers\n"
+        "index-out-of-range: segment 2 joins vertices 0 and 11, but there are only 6 vertices, "
+        "numbered from 0: correct its ends\n"
+        "index-out-of-range: segment 3 joins vertices none and 3, but there are only 6 vertices, "
+        "numbered from 0: correct its ends\n"
+        "duplicate-vertices: vertices 0 and 5 are both at (0, 0): remove one of them\n"
+        "segments-cross: segments 0 and 1 cross near (2, 2): add a vertex there and split both, or "
+        "move one\n")
+        << name;
+    EXPECT_EQ(smallest_angle_degrees(r.complex), 180) << name;  // survives
+    std::string error;
+    for (const char* extension : {".poly", ".json", ".obj", ".svg"}) {
+      EXPECT_TRUE(write_complex(r.complex, extension, &error).empty()) << name;
+      EXPECT_FALSE(error.empty());
+    }
+  }
 }
 
 TEST(TriangleMalformed, SiblingsAreReadWithTheSameCare) {
