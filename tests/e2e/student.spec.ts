@@ -49,7 +49,7 @@ test.describe('a student', () => {
     await page.keyboard.press('Home');
     await page.keyboard.press('3');
     await expect(sentence(page)).toContainText(
-      /circumcenter of triangle .* encroaches subsegment .* yields/,
+      /circumcenter of triangle .* encroaches upon subsegment .* yields/,
     );
     const lit = page.locator('[aria-current=step]');
     await expect(lit).toHaveCount(1);

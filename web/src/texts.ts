@@ -88,6 +88,11 @@ export const texts = {
     kept: 'The input as it was refined. Change it, or go back to watching.',
     none: 'Refine the input to fill the timeline.',
     failed: 'The run could not start.',
+    done: (left: number) => {
+      if (left === 0) return 'The queue is empty and nothing unacceptable is left: the end.';
+      const stay = left === 1 ? '1 simplex stays' : `${formatCount(left)} simplices stay`;
+      return `The queue is empty: the end. ${stay} unacceptable, as it is not safe to split ${left === 1 ? 'it' : 'them'}.`;
+    },
     crashed: 'The core stopped unexpectedly and was started again. Your drawing is safe.',
     hung: 'The core did not answer and was started again. Your drawing is safe.',
     limits: {
@@ -175,6 +180,7 @@ export const texts = {
     coordinates: 'Coordinates',
     selected: (n: number) => `${n} selected`,
     split: 'Split crossings',
+    crossingsSplit: (n: number) => (n === 1 ? '1 crossing split.' : `${n} crossings split.`),
     clear: 'Clear all',
     defects: 'What is wrong with the input',
     snap: 'Snap to',
@@ -219,6 +225,12 @@ function superscript(power: string): string {
 
 export function formatDegrees(x: number): string {
   return Number.isFinite(x) ? `${x.toFixed(1)}°` : '–';
+}
+
+/** The core's messages begin in lower case, as the command prints them after a file name. */
+export function asSentence(message: string): string {
+  const text = message.charAt(0).toUpperCase() + message.slice(1);
+  return /[.!?]$/.test(text) || text === '' ? text : `${text}.`;
 }
 
 /** "triangle 3–7–12", "subsegment 3–7 of segment 2". */

@@ -154,7 +154,7 @@ const edit: Action[] = [
     group: 'Edit',
     keys: [],
     enabled: () => doc.complex.segments.length > 1,
-    perform: () => app.say(`${doc.editor.splitCrossings()} crossings split.`),
+    perform: () => app.say(texts.document.crossingsSplit(doc.editor.splitCrossings())),
   },
   {
     id: 'clear',

@@ -30,7 +30,7 @@ export function momentAt(replay: Replay, position: number, forward = true): Mome
     rule: ruleOf(e),
     simplex: acting ? e.simplex : [],
     witness: witnessOf(e),
-    ball: acting ? ballOf(corners) : null,
+    ball: acting ? ballOf(e, corners, trace.input.vertexCount) : null,
     ghost: e.kind === Kind.yielded || hasRefusedPoint(e) ? e.at : null,
     yieldTo: yields ? e.other : null,
     vertex: e.kind === Kind.inserted ? e.subject : null,
@@ -61,7 +61,8 @@ export function ruleOf(e: TraceEvent): RuleName | null {
 
 function witnessOf(e: TraceEvent): number | null {
   const hasWitness =
-    e.kind === Kind.queued && (e.reason === Reason.encroached || e.reason === Reason.witness);
+    e.kind === Kind.queued &&
+    (e.reason === Reason.encroached || e.reason === Reason.witness || e.reason === Reason.tooLong);
   return hasWitness && e.subject !== NONE ? e.subject : null;
 }
 
@@ -70,7 +71,22 @@ function hasRefusedPoint(e: TraceEvent): boolean {
   return e.kind === Kind.refused && (e.at[0] !== 0 || e.at[1] !== 0);
 }
 
-function ballOf(corners: readonly Point[]): { center: Point; radius: number } | null {
+/**
+ * The ball that decided: circumdisk or diametral disk. A collar vertex lies on a circle around its input vertex instead, the
+ * same for every segment there; points that divide a segment come from none.
+ */
+function ballOf(
+  e: TraceEvent,
+  corners: readonly Point[],
+  inputVertices: number,
+): { center: Point; radius: number } | null {
+  if (e.kind === Kind.inserted && e.reason === Reason.division) return null;
+  if (e.kind === Kind.inserted && e.reason === Reason.collar) {
+    const centers = corners.filter((_, i) => e.simplex[i]! < inputVertices);
+    centers.sort((p, q) => distance(p, e.at) - distance(q, e.at));
+    const center = centers[0];
+    return center ? { center, radius: distance(center, e.at) } : null;
+  }
   const [a, b, c] = corners;
   if (a && b && c) return circumcircle(a, b, c);
   if (a && b) return { center: midpoint(a, b), radius: distance(a, b) / 2 };

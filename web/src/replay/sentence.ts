@@ -22,10 +22,10 @@ export function sentenceOf(e: TraceEvent, steps: readonly string[]): string {
         ? `${capital(name)} was taken from the queue and dropped: it is no longer in the mesh.`
         : `${capital(name)} was taken from the queue and dropped: it has become acceptable.`;
     case Kind.refused:
-      return `${capital(name)} is not safe to split: ${refusal(e.reason)}.`;
+      return `${capital(name)} is not safe to split: ${refusal(e)}.`;
     case Kind.yielded: {
       const segment = e.subject === NONE ? '' : ` of segment ${e.subject}`;
-      return `The circumcenter of ${name} encroaches subsegment ${e.other[0]}–${e.other[1]}${segment}, so it yields: that subsegment is queued, and the triangle goes back.`;
+      return `The circumcenter of ${name} encroaches upon subsegment ${e.other[0]}–${e.other[1]}${segment}, so it yields: that subsegment is queued, and the triangle goes back.`;
     }
     case Kind.inserted:
       return inserted(e, name);
@@ -52,11 +52,11 @@ function queued(e: TraceEvent, name: string): string {
     case Reason.radiusEdge:
       return `${it} is unacceptable: its circumradius is ${formatNumber(e.value)} times its shortest edge, more than τ.`;
     case Reason.size:
-      return `${it} is unacceptable: its circumradius ${formatNumber(e.value)} exceeds the size bound.`;
+      return `${it} is unacceptable: its circumradius, ${formatNumber(e.value)}, exceeds the size bound.`;
     case Reason.regionSize:
-      return `${it} is unacceptable: its area ${formatNumber(e.value)} exceeds the bound of its region.`;
+      return `${it} is unacceptable: its area, ${formatNumber(e.value)}, exceeds the bound of its region.`;
     case Reason.tooLong:
-      return `${it} is unacceptable: its length ${formatNumber(e.value)} is more than the algorithm allows.`;
+      return `${it} is unacceptable: it is ${formatNumber(e.value)} long, more than twice the shortest segment of its spindle, and vertex ${e.subject} lies inside its diametral disk.`;
     case Reason.yieldedTo:
       return `${it} is queued: a circumcenter yielded to it.`;
     case Reason.returned:
@@ -89,12 +89,14 @@ function inserted(e: TraceEvent, name: string): string {
   }
 }
 
-function refusal(reason: number): string {
-  switch (reason) {
+function refusal(e: TraceEvent): string {
+  switch (e.reason) {
     case Reason.outsideDomain:
       return 'its circumcenter lies outside the domain';
     case Reason.protected:
-      return 'only protected simplices are in the way';
+      return e.dimension === 1
+        ? 'it is a collar simplex, which protects an acute input angle'
+        : 'its circumcenter lies in the diametral disk of a collar simplex, which is never split';
     case Reason.minEdge:
       return 'an edge shorter than the bound would appear';
     case Reason.precision:
