@@ -51,7 +51,7 @@ test.describe('a teacher', () => {
       page.waitForEvent('download'),
       page.getByRole('button', { name: /SVG/ }).click(),
     ]);
-    expect(svg.suggestedFilename()).toBe('first-light.svg');
+    expect(svg.suggestedFilename()).toBe('first-light-figure.svg');
     const text = readFileSync(await svg.path(), 'utf8');
     expect(text).toMatch(/^<svg|^<\?xml/);
     expect(text).toContain('viewBox');

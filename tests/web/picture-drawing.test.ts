@@ -151,9 +151,17 @@ describe('SVG', () => {
 
   it('is a pure function, of a size that is asked for', () => {
     const s = scene();
-    const svg = sceneToSvg(s, view, size, 1200);
-    expect(sceneToSvg(s, view, size, 1200)).toBe(svg);
-    expect(svg).toContain('width="1200" height="900" viewBox="0 0 400 300"');
+    const svg = sceneToSvg(s, view, size, 16);
+    expect(sceneToSvg(s, view, size, 16)).toBe(svg);
+    expect(svg).toContain('width="16cm" height="12cm" viewBox="0 0 400 300"');
+  });
+
+  it('has the background that is asked for', () => {
+    const s = scene();
+    const paper = (fill: string) => `<rect width="100%" height="100%" fill="${fill}"/>`;
+    expect(sceneToSvg(s, view, size, 16)).toContain(paper(theme.background));
+    expect(sceneToSvg(s, view, size, 16, 'white')).toContain(paper('#ffffff'));
+    expect(sceneToSvg(s, view, size, 16, 'transparent')).not.toContain('width="100%"');
   });
 
   it('draws each edge of the mesh once, each triangle once, each vertex once', () => {

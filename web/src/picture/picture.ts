@@ -2,6 +2,7 @@
 
 import { OrthographicCamera, Scene as ThreeScene, WebGLRenderer } from 'three';
 import type {
+  Background,
   Bounds,
   ColorMode,
   ColorScale,
@@ -266,7 +267,7 @@ export class CanvasPicture implements Picture {
     this.draw();
   }
 
-  async toPNG(width: number, background: 'theme' | 'white' | 'transparent'): Promise<Blob> {
+  async toPNG(width: number, background: Background): Promise<Blob> {
     this.motion = null;
     this.prepare();
     try {
@@ -287,8 +288,8 @@ export class CanvasPicture implements Picture {
     }
   }
 
-  toSVG(width: number): string {
-    return sceneToSvg(this.scene, this.view, this.size, width);
+  toSVG(centimeters: number, background: Background): string {
+    return sceneToSvg(this.scene, this.view, this.size, centimeters, background);
   }
 
   dispose(): void {

@@ -1,6 +1,6 @@
 /** The scene as SVG: the same display lists, widths, shapes and dashes as on the canvas. A pure function. */
 
-import { Label, type Point, VertexKind, type View } from '../shared/types';
+import { type Background, Label, type Point, VertexKind, type View } from '../shared/types';
 import { clipPolygon, clipSegment } from './clip';
 import {
   type Dash,
@@ -18,9 +18,17 @@ import { type Size, toScreen, visibleBounds } from './view';
 /** Pixels that drawings may reach beyond the paper; farther, lines are cut. */
 const margin = 60;
 
-export function sceneToSvg(scene: Scene, view: View, size: Size, width: number): string {
-  const height = (width * size.height) / size.width;
+/** `centimeters` wide on paper. */
+export function sceneToSvg(
+  scene: Scene,
+  view: View,
+  size: Size,
+  centimeters: number,
+  background: Background = 'theme',
+): string {
+  const height = (centimeters * size.height) / size.width;
   const { theme } = scene;
+  const paint = background === 'white' ? '#ffffff' : theme.background;
   const paper = new Paper(view, size);
   const parts: string[] = [];
   const group = (id: string, items: Items) => {
@@ -51,9 +59,10 @@ export function sceneToSvg(scene: Scene, view: View, size: Size, width: number):
   }
   group('marks', scene.top(view, size));
   return (
-    `<svg xmlns="http://www.w3.org/2000/svg" width="${number(width)}" height="${number(height)}" ` +
+    `<svg xmlns="http://www.w3.org/2000/svg" width="${number(centimeters)}cm" height="${number(height)}cm" ` +
     `viewBox="0 0 ${number(size.width)} ${number(size.height)}">\n` +
-    `<rect width="100%" height="100%" fill="${theme.background}"/>\n${parts.join('\n')}\n</svg>\n`
+    (background === 'transparent' ? '' : `<rect width="100%" height="100%" fill="${paint}"/>\n`) +
+    `${parts.join('\n')}\n</svg>\n`
   );
 }
 

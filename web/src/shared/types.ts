@@ -245,11 +245,14 @@ export interface Picture {
   pick(x: number, y: number): Hit | null;
   resize(width: number, height: number, pixelRatio: number): void;
   /** Renders off screen, `width` pixels wide, same view. */
-  toPNG(width: number, background: 'theme' | 'white' | 'transparent'): Promise<Blob>;
+  toPNG(width: number, background: Background): Promise<Blob>;
   /** What is on the canvas, as vectors, with the same legend of shapes and dashes. */
-  toSVG(width: number): string;
+  toSVG(centimeters: number, background: Background): string;
   dispose(): void;
 }
+
+/** Of an exported picture. */
+export type Background = 'theme' | 'white' | 'transparent';
 
 export interface PictureOptions {
   readonly theme: PictureTheme;
