@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { Kind, Reason } from '../../web/src/replay/event.ts';
+import { angleBound } from '../../web/src/replay/measure.ts';
 import { momentAt } from '../../web/src/replay/moment.ts';
 import { Replay } from '../../web/src/replay/replay.ts';
 import { Trace } from '../../web/src/replay/trace.ts';
@@ -69,6 +70,13 @@ describe('sentences and balls of moments', () => {
     expect(refused.rule).toBe('safety');
     const segment = momentOf({ kind: Kind.refused, reason: Reason.protected, ...bottom });
     expect(segment.sentence).toContain('it is a collar simplex');
+  });
+
+  it('knows the smallest angle that an algorithm promises', () => {
+    expect(angleBound(['topology', 'radius-edge'], 1)).toBeCloseTo(30);
+    expect(angleBound(['topology', 'radius-edge'], Math.SQRT2)).toBeCloseTo(20.7, 1);
+    expect(angleBound(['size', 'min-angle'], 1.4145)).toBe(30);
+    expect(angleBound(['topology', 'delaunay'], 1.4145)).toBeNull();
   });
 
   it('writes messages of the core as sentences, and numbers of things in words', () => {

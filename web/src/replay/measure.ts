@@ -97,3 +97,13 @@ export function measureTriangle(trace: Trace, n: number): TriangleMeasures {
     radiusEdge: circumradius / shortestEdge,
   };
 }
+
+/**
+ * The smallest angle in degrees that an algorithm with these checks promises; null where it promises none.
+ * RE <= tau means every angle >= asin(1 / (2 tau)).
+ */
+export function angleBound(checks: readonly string[], tau: number): number | null {
+  if (checks.includes('min-angle')) return 30; // Chew's first algorithm
+  if (!checks.includes('radius-edge') || !(tau > 0.5)) return null;
+  return (Math.asin(1 / (2 * tau)) * 180) / Math.PI;
+}

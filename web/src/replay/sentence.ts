@@ -1,4 +1,4 @@
-import { formatNumber, simplexName } from '../texts.ts';
+import { formatCount, formatNumber, simplexName } from '../texts.ts';
 import { Kind, NONE, Reason, type TraceEvent } from './event.ts';
 
 /**
@@ -128,7 +128,7 @@ function limit(reason: number): string {
 }
 
 /** Steps are numbered as in the thesis; ours between them have names. */
-function stepName(name: string): string {
+export function stepName(name: string): string {
   return /^[0-9]/.test(name) ? name : `“${name}”`;
 }
 
@@ -163,5 +163,5 @@ function capital(s: string): string {
 }
 
 function plural(n: number, one: string, many: string): string {
-  return `${n} ${n === 1 ? one : many}`;
+  return `${formatCount(n)} ${n === 1 ? one : many}`;
 }
