@@ -85,6 +85,9 @@ describe('sentences and balls of moments', () => {
     expect(asSentence('')).toBe('');
     expect(texts.document.crossingsSplit(1)).toBe('1 crossing split.');
     expect(texts.document.crossingsSplit(3)).toBe('3 crossings split.');
+    expect(texts.queue.length(5, 1)).toBe('5 waiting, one of them a subsegment');
+    expect(texts.queue.length(5, 2)).toBe('5 waiting, 2 of them subsegments');
+    expect(texts.queue.length(3, 3)).toBe('3 waiting, all subsegments');
     expect(texts.run.done(0)).toContain('nothing unacceptable is left');
     expect(texts.run.done(1)).toContain('1 simplex stays');
   });

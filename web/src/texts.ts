@@ -64,7 +64,8 @@ export const texts = {
       if (segments === n) return `${formatCount(n)} waiting, all subsegments`;
       return (
         `${formatCount(n)} waiting` +
-        (segments > 0 ? `, ${formatCount(segments)} of them subsegments` : '')
+        (segments === 1 ? ', one of them a subsegment' : '') +
+        (segments > 1 ? `, ${formatCount(segments)} of them subsegments` : '')
       );
     },
   },
