@@ -128,6 +128,16 @@ export interface MeshArrays {
   edges: Uint32Array; // 3 numbers: a, b, input segment
 }
 
+/** Feature sizes of a complex at points (thesis, Definition 2.1.6), by the oracle that the theorems are checked with. */
+export interface FeatureSizesAnswer {
+  ok: boolean;
+  error: string; // why there are none; the arrays are empty then
+  lfs: Float64Array; // one number a point; infinity where no two features are disjoint
+  mfs: Float64Array; // one number a point; infinity where there are no two features
+  witnesses: Uint32Array; // 4 numbers a point: kind (0 vertex, 1 segment; 3 none), index of the two features of lfs, nearer first
+  at: Float64Array; // 4 numbers a point: x, y of the point of each nearest to it; NaN where there are none
+}
+
 export interface ReadAnswer {
   ok: boolean;
   format: string;
@@ -147,6 +157,8 @@ export interface CircumballModule {
   /** `files[0]` is read; the others are its siblings (.node beside .poly). */
   read(files: { name: string; bytes: Uint8Array }[]): ReadAnswer;
   check(complex: string): Defect[];
+  /** At `points`, two coordinates each. The last complex is kept, so that asking about it again is fast. */
+  featureSizes(complex: string, points: Float64Array): FeatureSizesAnswer;
   /** Starts a run with a recording sink; `complex` and `options` are JSON. */
   start(
     complex: string,

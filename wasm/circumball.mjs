@@ -51,6 +51,7 @@ export default async function createCircumball(options = {}) {
       };
     },
     check: (complex) => JSON.parse(core.check(complex)),
+    featureSizes: (complex, points) => core.featureSizes(complex, points),
     start(complex, runOptions) {
       const answer = core.start(complex, runOptions);
       return { ...answer, defects: JSON.parse(answer.defects) };

@@ -15,7 +15,7 @@ export const layers = {
   feature_size: ['predicates', 'delaunay', 'complex'],
   refinement: ['predicates', 'delaunay', 'complex'],
   protection: ['predicates', 'delaunay', 'complex', 'refinement'],
-  algorithms: ['predicates', 'delaunay', 'complex', 'refinement', 'protection', 'feature_size'],
+  algorithms: ['predicates', 'delaunay', 'complex', 'refinement', 'protection'], // not the oracle that they are checked with
   // Verification may reason about complexes as `check` does; what it shares with the mesher is looked at below.
   quality: ['predicates', 'complex', 'feature_size'],
   fem: [],
@@ -28,11 +28,11 @@ export const headers = {
   predicates: ['types', 'predicates'],
   delaunay: ['types', 'predicates'],
   complex: ['types', 'predicates', 'complex', 'mesh'],
-  feature_size: ['types', 'predicates', 'complex', 'mesh'],
+  feature_size: ['types', 'predicates', 'complex', 'mesh', 'feature_size'],
   refinement: ['types', 'predicates', 'complex', 'mesh', 'trace', 'refine'],
   protection: ['types', 'predicates', 'complex', 'mesh', 'trace', 'refine'],
   algorithms: ['types', 'predicates', 'complex', 'mesh', 'trace', 'refine', 'registry'],
-  quality: ['types', 'predicates', 'complex', 'mesh', 'verify'],
+  quality: ['types', 'predicates', 'complex', 'mesh', 'verify', 'feature_size'],
   fem: ['types', 'mesh'],
   io: ['types', 'complex', 'mesh', 'io'],
   report: null, // every one
@@ -163,7 +163,7 @@ function selfTest() {
     ['predicates', { quoted: true, name: 'delaunay/delaunay2.h' }],
     ['delaunay', { quoted: true, name: 'refinement/loop.h' }],
     ['quality', { quoted: true, name: 'delaunay/delaunay2.h' }],
-    ['complex', { quoted: true, name: 'feature_size/feature_size.h' }],
+    ['complex', { quoted: true, name: 'feature_size/feature_table.h' }],
     ['quality', { quoted: true, name: 'circumball/refine.h' }],
     ['io', { quoted: true, name: 'complex/live2.h' }],
     ['io', { quoted: true, name: 'predicates/expansion.h' }],

@@ -1,4 +1,4 @@
-#include "feature_size/feature_size.h"
+#include "circumball/feature_size.h"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "feature_size/nearest_neighbor.h"
 #include "support/complexes.h"
 
 namespace circumball {
@@ -27,38 +28,38 @@ Point2 somewhere(Random* random) {
 
 TEST(Definition2_1_6, LocalFeatureSizeOfASquare) {
   const FeatureSizes sizes(unit_square());
-  EXPECT_EQ(sizes.local({0, 0}), 1);  // the vertex and a side that does not touch it
-  EXPECT_EQ(sizes.local({0.5, 0}),
+  EXPECT_EQ(sizes.local({0, 0}).radius, 1);  // the vertex and a side that does not touch it
+  EXPECT_EQ(sizes.local({0.5, 0}).radius,
             0.5);  // its side and a vertical one share a vertex; the two vertical ones do not
-  EXPECT_EQ(sizes.local({0.5, 0.5}), 0.5);
-  EXPECT_EQ(sizes.local({0.5, 0.25}), 0.5);
-  EXPECT_EQ(sizes.local({0.5, 0}, 0), 0.5);
-  EXPECT_EQ(sizes.local({0.5, 0.5}, 0), std::sqrt(0.5));
+  EXPECT_EQ(sizes.local({0.5, 0.5}).radius, 0.5);
+  EXPECT_EQ(sizes.local({0.5, 0.25}).radius, 0.5);
+  EXPECT_EQ(sizes.local({0.5, 0}, 0).radius, 0.5);
+  EXPECT_EQ(sizes.local({0.5, 0.5}, 0).radius, std::sqrt(0.5));
 }
 
 TEST(Definition2_1_6, MeshFeatureSizeNeedsNoDisjointFeatures) {
   const FeatureSizes sizes(unit_square());
-  EXPECT_EQ(sizes.mesh({0, 0}), 0);  // the vertex and its segments
-  EXPECT_EQ(sizes.mesh({0.25, 0}), 0.25);
-  EXPECT_EQ(sizes.mesh({0, 0}, 0), 1);
+  EXPECT_EQ(sizes.mesh({0, 0}).radius, 0);  // the vertex and its segments
+  EXPECT_EQ(sizes.mesh({0.25, 0}).radius, 0.25);
+  EXPECT_EQ(sizes.mesh({0, 0}, 0).radius, 1);
 }
 
 TEST(Definition2_1_6, WhatHasNoTwoDisjointFeaturesHasNoSize) {
   Complex c;
   c.vertices = {{1, 2, 0}};
-  EXPECT_EQ(FeatureSizes(c).local({0, 0}), kInfinity);
-  EXPECT_EQ(FeatureSizes(c).mesh({0, 0}), kInfinity);
-  EXPECT_EQ(FeatureSizes(Complex{}).local({0, 0}), kInfinity);
+  EXPECT_EQ(FeatureSizes(c).local({0, 0}).radius, kInfinity);
+  EXPECT_EQ(FeatureSizes(c).mesh({0, 0}).radius, kInfinity);
+  EXPECT_EQ(FeatureSizes(Complex{}).local({0, 0}).radius, kInfinity);
   c = polygon({{0, 0}, {4, 0}, {0, 3}});  // the three sides meet each other, vertices are disjoint
-  EXPECT_EQ(FeatureSizes(c).local({0, 0}), 2.4);  // the opposite side
+  EXPECT_EQ(FeatureSizes(c).local({0, 0}).radius, 2.4);  // the opposite side
 }
 
 TEST(Definition2_1_6, AnAcuteAngleDoesNotShrinkIt) {
   Complex c;
   c.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1e-6, 0}};
   c.segments = {{0, 1}, {0, 2}};
-  EXPECT_EQ(FeatureSizes(c).local({0, 0}), 1);
-  EXPECT_NEAR(FeatureSizes(c).local({1, 0}), 1e-6, 1e-15);
+  EXPECT_EQ(FeatureSizes(c).local({0, 0}).radius, 1);
+  EXPECT_NEAR(FeatureSizes(c).local({1, 0}).radius, 1e-6, 1e-15);
 }
 
 TEST(FeatureSizes, TheTreeAgreesWithTheDefinition) {
@@ -71,8 +72,10 @@ TEST(FeatureSizes, TheTreeAgreesWithTheDefinition) {
                              : xy(complex.vertices[random.below(
                                    static_cast<std::uint32_t>(complex.vertices.size()))]);
       for (int i = 0; i < 2; ++i) {
-        ASSERT_EQ(sizes.local(x, i), sizes.local_by_brute_force(x, i)) << seed << " " << k;
-        ASSERT_EQ(sizes.mesh(x, i), sizes.mesh_by_brute_force(x, i)) << seed << " " << k;
+        ASSERT_EQ(sizes.local(x, i).radius, sizes.local_by_brute_force(x, i).radius)
+            << seed << " " << k;
+        ASSERT_EQ(sizes.mesh(x, i).radius, sizes.mesh_by_brute_force(x, i).radius)
+            << seed << " " << k;
       }
     }
   }
@@ -87,15 +90,17 @@ TEST(FeatureSizes, AreLipschitzWithConstantOne) {
       const Point2 y = somewhere(&random);
       const double distance = std::sqrt((x.x - y.x) * (x.x - y.x) + (x.y - y.y) * (x.y - y.y));
       for (int i = 0; i < 2; ++i) {
-        if (sizes.local(x, i) != kInfinity) {
-          EXPECT_LE(std::fabs(sizes.local(x, i) - sizes.local(y, i)), distance * (1 + 1e-12));
+        if (sizes.local(x, i).radius != kInfinity) {
+          EXPECT_LE(std::fabs(sizes.local(x, i).radius - sizes.local(y, i).radius),
+                    distance * (1 + 1e-12));
         }
-        if (sizes.mesh(x, i) != kInfinity) {
-          EXPECT_LE(std::fabs(sizes.mesh(x, i) - sizes.mesh(y, i)), distance * (1 + 1e-12));
+        if (sizes.mesh(x, i).radius != kInfinity) {
+          EXPECT_LE(std::fabs(sizes.mesh(x, i).radius - sizes.mesh(y, i).radius),
+                    distance * (1 + 1e-12));
         }
       }
-      EXPECT_LE(sizes.mesh(x), sizes.local(x));
-      EXPECT_LE(sizes.local(x, 1), sizes.local(x, 0));
+      EXPECT_LE(sizes.mesh(x).radius, sizes.local(x).radius);
+      EXPECT_LE(sizes.local(x, 1).radius, sizes.local(x, 0).radius);
     }
   }
 }
@@ -107,7 +112,8 @@ TEST(FeatureSizes, ScaleWithTheComplexByPowersOfTwo) {
   Random random(9);
   for (int k = 0; k < 100; ++k) {
     const Point2 x = somewhere(&random);
-    EXPECT_EQ(0x1p40 * sizes.local(x), large_sizes.local({0x1p40 * x.x, 0x1p40 * x.y}));
+    EXPECT_EQ(0x1p40 * sizes.local(x).radius,
+              large_sizes.local({0x1p40 * x.x, 0x1p40 * x.y}).radius);
   }
 }
 

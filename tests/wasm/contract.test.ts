@@ -119,6 +119,40 @@ describe('check', () => {
   });
 });
 
+describe('featureSizes', () => {
+  it('gives lfs, mfs and the witnesses at each point', () => {
+    const answer = core.featureSizes(squareText, new Float64Array([0.5, 0.25, 0, 0, 2, 0.5]));
+    expectDeclared('featureSizes', answer);
+    expect(answer.ok).toBe(true);
+    expect([...answer.lfs]).toEqual([0.5, 1, Math.sqrt(1.25)]);
+    expect([...answer.mfs]).toEqual([0.5, 0, Math.sqrt(1.25)]);
+    expect(answer.witnesses).toHaveLength(12);
+    expect([answer.witnesses[1], answer.witnesses[3]].sort()).toEqual([1, 3]); // the vertical sides
+    expect([...answer.at.slice(0, 4)].sort()).toEqual([0, 0.25, 0.25, 1]);
+    expect([...core.featureSizes(squareText, new Float64Array([1, 1])).lfs]).toEqual([1]); // kept
+  });
+
+  it('is infinite where no two features are disjoint, and where there is no point', () => {
+    const lonely = JSON.stringify({ circumball: 1, dimension: 2, vertices: [[0, 0]] });
+    const answer = core.featureSizes(lonely, new Float64Array([1, 2]));
+    expectDeclared('featureSizes', answer);
+    expect([...answer.lfs, ...answer.mfs]).toEqual([Infinity, Infinity]);
+    expect([...answer.witnesses]).toEqual([3, 0xffffffff, 3, 0xffffffff]);
+    expect(core.featureSizes(squareText, new Float64Array([NaN, 0])).lfs[0]).toBe(Infinity);
+    expect(core.featureSizes(squareText, new Float64Array([1e300, 0])).lfs[0]).toBe(Infinity);
+    expect(core.featureSizes(squareText, new Float64Array()).lfs).toHaveLength(0);
+  });
+
+  it('answers what is no valid complex with a sentence', () => {
+    for (const text of ['', 'nonsense', crossing, '{"circumball":1,"dimension":3,"vertices":[]}']) {
+      const answer = core.featureSizes(text, new Float64Array([0, 0]));
+      expectDeclared('featureSizes', answer);
+      expect([text, answer.ok, answer.lfs.length]).toEqual([text, false, 0]);
+      expect(answer.error).not.toBe('');
+    }
+  });
+});
+
 describe('a run', () => {
   it('answers a wrong complex with its defects and wrong options with a sentence', () => {
     const invalid = core.start(crossing, '{}');

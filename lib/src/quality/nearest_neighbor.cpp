@@ -2,8 +2,9 @@
 #include <limits>
 #include <string>
 
+#include "circumball/feature_size.h"
 #include "complex/box_tree.h"
-#include "feature_size/feature_size.h"
+#include "feature_size/nearest_neighbor.h"
 #include "quality/context.h"
 
 namespace circumball {
@@ -40,7 +41,7 @@ Check check_side(const VerifyContext& context, bool upper) {
     ++looked_at;
     const Point2 q0 = context.point(v);
     const double n = nearest_neighbor(tree, q0, item_of_vertex[v]);
-    const double lfs = sizes.local(q0);
+    const double lfs = sizes.local(q0).radius;
     if (std::isinf(lfs)) continue;  // no two disjoint features
     const double ratio = n / lfs;
     bad += upper ? n > bound * lfs * (1 + kSlack) + context.rounding
