@@ -235,9 +235,11 @@ export function asSentence(message: string): string {
 }
 
 /** "triangle 3–7–12", "subsegment 3–7 of segment 2". */
-export function simplexName(simplex: readonly number[], segment: number): string {
+export function simplexName(simplex: readonly number[], segment?: number): string {
   if (simplex.length === 2) {
-    const of = segment === 0xffffffff ? '' : ` of segment ${segment}`;
+    // An arc of a protecting circle lies on no input segment.
+    if (segment === 0xffffffff) return `arc ${simplex.join('–')}`;
+    const of = segment === undefined ? '' : ` of segment ${segment}`;
     return `subsegment ${simplex.join('–')}${of}`;
   }
   return simplex.length === 3 ? `triangle ${simplex.join('–')}` : `vertex ${simplex.join('')}`;

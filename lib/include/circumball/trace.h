@@ -51,6 +51,10 @@ enum class Reason : std::uint8_t {
   kOffCenter = 20,     ///< off-centre of a triangle
   kDivision = 21,      ///< one of the points that divide a segment into equal parts
   kCollar = 22,        ///< on a segment at an acute input angle, at the distance that protects it
+  kCircle = 23,        ///< on the circle that protects an acute input angle, off the segments
+  kArcMidpoint = 24,   ///< midpoint of an arc of such a circle
+  kEqualLength = 25,   ///< on a segment, so that adjacent segments get pieces of equal lengths
+  kShell = 26,         ///< on a segment, on a concentric shell about its input vertex
   // why a simplex was refused
   kOutsideDomain = 32,  ///< its circumcentre lies outside what is meshed
   kProtected = 33,      ///< only protected simplices are in the way
@@ -58,6 +62,7 @@ enum class Reason : std::uint8_t {
   kPrecision = 35,  ///< the new vertex would coincide with another one, or leave its segment, in
                     ///< double precision
   kFrozen = 36,     ///< it would yield to a subsegment that was refused itself
+  kSeditious = 37,  ///< its shortest edge joins two segments of a small angle, on one shell
   // why a simplex was dropped
   kDied = 48,
   kAcceptable = 49,
@@ -78,7 +83,8 @@ struct Event {
   std::uint8_t step = 0;  ///< index into Trace::steps
   std::uint32_t simplex[4] = {
       kNoIndex, kNoIndex, kNoIndex,
-      kNoIndex};  ///< vertices; a subsegment has its input segment in simplex[3]
+      kNoIndex};  ///< vertices; a subsegment has its input segment in simplex[3]; an arc (kNoIndex
+                  ///< there) the center of its circle, an input vertex, in simplex[2]
   std::uint32_t subject = kNoIndex;
   std::uint32_t other[2] = {kNoIndex, kNoIndex};
   double at[3] = {0, 0, 0};

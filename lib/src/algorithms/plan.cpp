@@ -3,8 +3,10 @@
 #include <utility>
 
 #include "algorithms/chew.h"
+#include "algorithms/circles.h"
 #include "algorithms/collar.h"
 #include "algorithms/feature_size.h"
+#include "algorithms/intestine.h"
 #include "algorithms/protect.h"
 #include "algorithms/ruppert.h"
 #include "algorithms/sweeps.h"
@@ -18,6 +20,16 @@ std::unique_ptr<Stage> loop(std::string name, std::string title, Rules rules) {
   return std::make_unique<Loop<Rules>>(std::move(name), std::move(title), std::move(rules));
 }
 
+/// The rules of an algorithm that splits triangles, with the bounds of the settings.
+template <class Rules>
+Rules bounded(const Settings& settings) {
+  Rules rules;
+  rules.tau = settings.tau;
+  rules.size = settings.size;
+  rules.sizing = settings.sizing;
+  return rules;
+}
+
 }  // namespace
 
 std::vector<std::unique_ptr<Stage>> plan(const Settings& settings) {
@@ -26,11 +38,7 @@ std::vector<std::unique_ptr<Stage>> plan(const Settings& settings) {
   if (settings.algorithm == "ruppert") {
     steps.push_back(loop("1", "Split encroached segments", Conform{}));
     steps.push_back(classify_triangles());
-    Ruppert rules;
-    rules.tau = settings.tau;
-    rules.size = settings.size;
-    rules.sizing = settings.sizing;
-    steps.push_back(loop("2", "Ruppert's algorithm", rules));
+    steps.push_back(loop("2", "Ruppert's algorithm", bounded<Ruppert>(settings)));
   } else if (settings.algorithm == "feature-size") {
     steps.push_back(loop("1a", "Estimate the feature size at all input vertices", FeatureSize{}));
     steps.push_back(classify_triangles());
@@ -38,11 +46,14 @@ std::vector<std::unique_ptr<Stage>> plan(const Settings& settings) {
     steps.push_back(protect_acute_angles(settings.protection, settings.protect_all));
     steps.push_back(loop("1c", "Split encroached segments", ConformWithCollar{}));
     steps.push_back(classify_triangles());
-    Collar rules;
-    rules.tau = settings.tau;
-    rules.size = settings.size;
-    rules.sizing = settings.sizing;
-    steps.push_back(loop("2", "Ruppert's algorithm, protected", rules));
+    steps.push_back(loop("2", "Ruppert's algorithm, protected", bounded<Collar>(settings)));
+  } else if (settings.algorithm == "intestine") {
+    steps.push_back(protect_acute_angles(settings.protection, settings.protect_all));
+    steps.push_back(loop("1c", "Split encroached segments", ConformWithCollar{}));
+    steps.push_back(classify_triangles());
+    steps.push_back(draw_protecting_circles());
+    steps.push_back(
+        loop("2", "Ruppert's algorithm, outside of the disks", bounded<Intestine>(settings)));
   } else if (settings.algorithm == "chew") {
     steps.push_back(divide_segments(settings.size));
     steps.push_back(loop("1b", "Recover segments that are no edges", Recover{}));

@@ -7,7 +7,7 @@
 #include "circumball/predicates.h"
 #include "delaunay/constructions.h"
 #include "refinement/loop.h"
-#include "refinement/view.h"
+#include "refinement/split_at.h"
 
 namespace circumball {
 namespace {
@@ -78,39 +78,26 @@ class ProtectAcuteAngles final : public Stage {
     const Subsegment whole = w.live.subsegment(s);
     if (acute_[whole.a.value]) {
       const auto halves = split(w, s, whole.a, whole.b);
-      if (halves[0] == s) return;
-      w.live.make_collar(halves[0]);
-      s = halves[1];
+      if (!halves) return;
+      w.live.make_collar((*halves)[0]);
+      s = (*halves)[1];
     }
     if (acute_[whole.b.value]) {
-      const auto halves = split(w, s, whole.b, whole.a);
-      if (halves[0] != s) w.live.make_collar(halves[1]);
+      if (const auto halves = split(w, s, whole.b, whole.a)) w.live.make_collar((*halves)[1]);
     }
   }
 
-  /// Splits s at distance d from its end q0. {s, s} where double precision does not allow it.
-  std::array<SubsegmentId, 2> split(Workspace& w, SubsegmentId s, VertexId q0, VertexId far) {
+  /// Splits s at distance d from its end q0.
+  std::optional<std::array<SubsegmentId, 2>> split(Workspace& w, SubsegmentId s, VertexId q0,
+                                                   VertexId far) {
     const Delaunay2& dt = w.live.triangulation();
     const Point2 a = dt.point(q0), b = dt.point(far);
-    // Rounded: within a few ulp of the larger end in each coordinate, like the distance d itself.
-    const double t = fraction_ * estimate_->nearest_neighbor(q0) / distance(a, b);
-    View view(w.live, w.recorder.on());
-    const Point2 p = view.outward({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}, s);
-    if (view.look_at_midpoint(p, s) == Outlook::kCoincides) {
-      ++w.refused;
-      w.refusal_limit = Reason::kLimitPrecision;
-      w.recorder.refused(s, Reason::kPrecision, p);
-      return {s, s};
+    if (w.live.protection_distance(q0) == 0) {
+      w.live.protect(q0, fraction_ * estimate_->nearest_neighbor(q0));
     }
-    const double radius = w.recorder.on() ? view.insertion_radius(p) : 0;
-    const Event event = w.recorder.insertion_of(s, Reason::kCollar);
-    const std::uint32_t segment = w.live.subsegment(s).segment.value;
-    const VertexId v = w.live.add_vertex(p, {FeatureKind::kSegment, segment});
-    w.live.commit(v, s.value);
-    ++w.inserted;
-    ++w.iterations;
-    w.recorder.inserted(event, v, radius);
-    return w.live.split(s, v);
+    // Rounded: within a few ulp of the larger end in each coordinate, like the distance d itself.
+    const double t = w.live.protection_distance(q0) / distance(a, b);
+    return split_at(w, s, {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}, Reason::kCollar);
   }
 
   double fraction_;

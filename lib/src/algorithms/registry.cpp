@@ -101,6 +101,31 @@ std::vector<AlgorithmInfo> make_registry() {
   collar.checks = {"topology", "delaunay", "input-vertices", "input-segments",
                    "area",     "collar",   "radius-edge",    "size"};
 
+  AlgorithmInfo intestine = collar;
+  intestine.id = "intestine";
+  intestine.title = "Refinement with intestines";
+  intestine.thesis = "Algorithm 5.3";
+  intestine.action =
+      "Insert the circumcenter of a triangle. Insert the midpoint of a segment or arc. A "
+      "triangle's "
+      "circumcenter that encroaches upon a segment or arc yields to it.";
+  intestine.priority =
+      "Encroached segments and arcs are given higher priority than poor quality triangles.";
+  intestine.unacceptability =
+      "Any segment or arc with a nonempty diametral disk is unacceptable. Any triangle $t$ outside "
+      "of the protecting disks with $\\mathrm{RE}(t) > \\tau$ is unacceptable.";
+  intestine.safety =
+      "All simplices and arcs outside of the disks are safe to split; inside, a fan of triangles "
+      "joins the input vertex to the arcs of its circle.";
+  intestine.guarantee =
+      "It ends for every complex and $\\tau > \\sqrt 2$; the mesh conforms and is graded to the "
+      "local feature size, triangles with $\\mathrm{RE}(t) > \\tau$ remain only in the disks about "
+      "acute input vertices, and no angle is larger than $180^\\circ - 2\\kappa$ (Theorems 5.10 "
+      "and "
+      "5.11).";
+  intestine.checks = {"topology", "delaunay",  "input-vertices", "input-segments",
+                      "area",     "intestine", "max-angle",      "size"};
+
   AlgorithmInfo chew;
   chew.id = "chew";
   chew.title = "Chew's first algorithm";
@@ -123,7 +148,7 @@ std::vector<AlgorithmInfo> make_registry() {
                  "area",     "size",     "min-angle"};
   chew.default_domain = "closed";
 
-  return {delaunay, ruppert, chew, feature_size, collar};
+  return {delaunay, ruppert, chew, feature_size, collar, intestine};
 }
 
 /// Numbers as numbers, all else as text.

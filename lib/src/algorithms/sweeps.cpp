@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "delaunay/constructions.h"
-#include "refinement/view.h"
+#include "refinement/split_at.h"
 
 namespace circumball {
 namespace {
@@ -53,7 +53,6 @@ class DivideSegments final : public Stage {
       if (part_ == 0 && !begin_segment(w)) continue;
       for (; part_ < parts_; ++part_) {
         if (!budget.spend() || !w.within_limits()) return false;
-        ++w.iterations;
         insert_point(w);
       }
     }
@@ -76,22 +75,8 @@ class DivideSegments final : public Stage {
   }
 
   void insert_point(Workspace& w) {
-    View view(w.live, w.recorder.on());
-    const Point2 p = view.outward(division_point(a_, b_, part_, parts_), rest_);
-    if (view.look_at_midpoint(p, rest_) == Outlook::kCoincides) {
-      ++w.refused;
-      w.refusal_limit = Reason::kLimitPrecision;
-      w.recorder.refused(rest_, Reason::kPrecision, p);
-      return;
-    }
-    const double radius = w.recorder.on() ? view.insertion_radius(p) : 0;
-    const Event event = w.recorder.insertion_of(rest_, Reason::kDivision);
-    const std::uint32_t segment = w.live.subsegment(rest_).segment.value;
-    const VertexId v = w.live.add_vertex(p, {FeatureKind::kSegment, segment});
-    w.live.commit(v, rest_.value);
-    ++w.inserted;
-    w.recorder.inserted(event, v, radius);
-    rest_ = w.live.split(rest_, v)[1];
+    const Point2 p = division_point(a_, b_, part_, parts_);
+    if (const auto halves = split_at(w, rest_, p, Reason::kDivision)) rest_ = (*halves)[1];
   }
 
   double h_;

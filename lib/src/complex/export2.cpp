@@ -45,7 +45,7 @@ Mesh export_classified(Live2* live, std::uint32_t input_vertices) {
   for (std::uint32_t i = 0; i < live->subsegment_count(); ++i) {
     const SubsegmentId s(i);
     const Subsegment& u = live->subsegment(s);
-    if (!u.alive || live->edge_of(s) == kNone) continue;
+    if (!u.alive || u.is_arc() || live->edge_of(s) == kNone) continue;
     mesh.edges.push_back({u.a.value, u.b.value, u.segment.value});
     if (segment_markers) mesh.edge_markers.push_back(complex.segment_markers[u.segment.value]);
   }

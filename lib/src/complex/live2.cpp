@@ -75,6 +75,20 @@ void Live2::track_incidence() {
   }
 }
 
+void Live2::protect(VertexId q0, double distance) {
+  if (protection_.empty()) protection_.assign(complex_->vertices.size(), 0);
+  protection_[q0.value] = distance;
+}
+
+SubsegmentId Live2::create_arc(VertexId a, VertexId b, VertexId center) {
+  const SubsegmentId s(subsegment_count());
+  Subsegment arc{a, b, SegmentId()};
+  arc.center = center;
+  subsegments_.push_back(arc);
+  tag_edge(s);
+  return s;
+}
+
 bool Live2::tag_edge(SubsegmentId s) {
   const HalfEdge h = edge_of(s);
   if (h == kNone) return false;
@@ -85,7 +99,8 @@ bool Live2::tag_edge(SubsegmentId s) {
 std::array<SubsegmentId, 2> Live2::split(SubsegmentId s, VertexId m) {
   Subsegment& old = subsegments_[s.value];
   old.alive = false;
-  const Subsegment first{old.a, m, old.segment}, second{m, old.b, old.segment};
+  Subsegment first{old.a, m, old.segment}, second{m, old.b, old.segment};
+  first.center = second.center = old.center;
   const SubsegmentId left(subsegment_count()), right(subsegment_count() + 1);
   subsegments_.push_back(first);  // `old` dangles from here on
   subsegments_.push_back(second);
@@ -103,6 +118,7 @@ std::array<SubsegmentId, 2> Live2::split(SubsegmentId s, VertexId m) {
   // stayed. The triangle between it and m is on the far side of the new subsegments then.
   if (const HalfEdge h = triangulation_.find_edge(first.a, second.b); h != kNone) {
     triangulation_.set_tag(h, kNone);
+    if (first.is_arc()) return {left, right};
     const HalfEdge other = triangulation_.twin(h);
     const bool near = triangulation_.apex(h) == m;
     if (near || triangulation_.apex(other) == m) {
@@ -201,7 +217,7 @@ void Live2::flood_levels(const std::vector<std::uint8_t>& crossed) {
       const HalfEdge h = 4 * t + i;
       const TriangleId u = dt.twin(h) / 4;
       if (level[u] != kNone || crossed[u]) continue;
-      if (dt.tag(h) != kNone) {
+      if (on_segment(h)) {
         next.push_back(u);
       } else {
         level[u] = depth;
@@ -236,7 +252,7 @@ void Live2::label_crossed(const std::vector<std::uint8_t>& crossed) {
       for (unsigned i = 0; i < 3; ++i) {
         const HalfEdge h = 4 * t + i;
         const TriangleId u = dt.twin(h) / 4;
-        if (!crossed[u] || dt.triangle(u).label != kUnknown || dt.tag(h) != kNone) continue;
+        if (!crossed[u] || dt.triangle(u).label != kUnknown || on_segment(h)) continue;
         dt.set_label(u, dt.triangle(t).label);
         stack_.push_back(u);
       }
@@ -258,7 +274,8 @@ void Live2::classify() {
   if (domain_ == Domain::kClosed) {
     for (std::uint32_t i = 0; i < subsegment_count(); ++i) {
       const SubsegmentId s(i);
-      if (subsegment(s).alive && edge_of(s) == kNone) mark_crossed(s, &crossed);
+      const Subsegment& u = subsegment(s);
+      if (u.alive && !u.is_arc() && edge_of(s) == kNone) mark_crossed(s, &crossed);
     }
     flood_levels(crossed);
   } else {
@@ -274,7 +291,7 @@ void Live2::classify() {
       for (unsigned i = 0; i < 3; ++i) {
         const HalfEdge h = 4 * t + i;
         const TriangleId u = dt.twin(h) / 4;
-        if (dt.tag(h) != kNone || dt.triangle(u).label != kInside || !is_pocket(u)) continue;
+        if (on_segment(h) || dt.triangle(u).label != kInside || !is_pocket(u)) continue;
         dt.set_label(u, kOutside);
         stack_.push_back(u);
       }
@@ -286,7 +303,7 @@ void Live2::classify() {
     if (start == kNone || dt.triangle(start).label != kInside) return;
     for (unsigned i = 0; i < 3; ++i) {  // a seed on a segment means neither side (see `check`)
       const HalfEdge h = 4 * start + i;
-      if (dt.tag(h) != kNone &&
+      if (on_segment(h) &&
           orient2d(dt.point(dt.origin(h)), dt.point(dt.target(h)), xy(seed)) == Sign::kZero) {
         return;
       }
@@ -299,7 +316,7 @@ void Live2::classify() {
       for (unsigned i = 0; i < 3; ++i) {
         const HalfEdge h = 4 * t + i;
         const TriangleId u = dt.twin(h) / 4;
-        if (dt.tag(h) != kNone || dt.triangle(u).label != kInside) continue;
+        if (on_segment(h) || dt.triangle(u).label != kInside) continue;
         dt.set_label(u, label);
         stack_.push_back(u);
       }
@@ -363,7 +380,7 @@ bool Live2::in_domain(TriangleId t) {
   for (std::size_t next = 0; next < piece.size(); ++next) {
     for (unsigned i = 0; i < 3; ++i) {
       const HalfEdge h = 4 * piece[next] + i;
-      if (dt.tag(h) != kNone) continue;
+      if (on_segment(h)) continue;
       const TriangleId u = dt.twin(h) / 4;
       const std::uint32_t other = dt.triangle(u).label;
       if (dt.is_ghost(u)) {
@@ -393,7 +410,8 @@ bool Live2::in_domain(TriangleId t) {
 
 bool Live2::conforms() const {
   for (std::uint32_t i = 0; i < subsegment_count(); ++i) {
-    if (subsegments_[i].alive && edge_of(SubsegmentId(i)) == kNone) return false;
+    const Subsegment& u = subsegments_[i];
+    if (u.alive && !u.is_arc() && edge_of(SubsegmentId(i)) == kNone) return false;
   }
   return true;
 }

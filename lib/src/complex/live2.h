@@ -22,6 +22,10 @@ struct Subsegment {
   bool alive = true;
   bool frozen = false;     ///< it was refused for good: nothing yields to it any more
   bool is_collar = false;  ///< a collar simplex (thesis, 5.2.1): never split
+  /// Valid for an arc of the circle that protects this input vertex (thesis, 5.3.1); its edge is
+  /// the chord. An arc lies on no input segment, and is no boundary of the domain.
+  VertexId center = {};
+  bool is_arc() const { return center.valid(); }
 };
 
 /// What a triangle's label says. Regions get kFirstRegion + their index.
@@ -66,10 +70,22 @@ class Live2 {
   const Subsegment& subsegment(SubsegmentId s) const { return subsegments_[s.value]; }
   void freeze(SubsegmentId s) { subsegments_[s.value].frozen = true; }
   void make_collar(SubsegmentId s) { subsegments_[s.value].is_collar = true; }
+  /// The distance at which an input vertex is protected (d of the thesis, 5.2.1); 0: it is not.
+  void protect(VertexId q0, double distance);
+  double protection_distance(VertexId q0) const {
+    return q0.value < protection_.size() ? protection_[q0.value] : 0;
+  }
+  /// Makes a subsegment of the arc from a to b about a protected input vertex.
+  SubsegmentId create_arc(VertexId a, VertexId b, VertexId center);
   /// Keeps the list of subsegments at each vertex from now on (feature sizes want it; it costs
   /// memory).
   void track_incidence();
   const std::vector<SubsegmentId>& subsegments_at(VertexId v) const { return incident_[v.value]; }
+  /// Whether h is an edge on an input segment: what keeps labels apart.
+  bool on_segment(HalfEdge h) const {
+    const std::uint32_t tag = triangulation_.tag(h);
+    return tag != kNone && !subsegments_[tag].is_arc();
+  }
   /// The half-edge from a to b, or kNone where the subsegment is not an edge of the triangulation.
   HalfEdge edge_of(SubsegmentId s) const {
     const Subsegment& u = subsegments_[s.value];
@@ -89,7 +105,8 @@ class Live2 {
   /// where it reaches them through other such triangles.
   void classify();
   bool classified() const { return classified_; }
-  /// Whether every subsegment is an edge: only then do subsegments keep labels apart. O(n).
+  /// Whether every piece of an input segment is an edge: only then do subsegments keep labels
+  /// apart. O(n).
   bool conforms() const;
   /// Whether t is in the domain. Finds a lost label again by a local flood.
   bool in_domain(TriangleId t);
@@ -127,6 +144,7 @@ class Live2 {
   Delaunay2 triangulation_;
   std::vector<Feature> features_;
   std::vector<Subsegment> subsegments_;
+  std::vector<double> protection_;  // by input vertex; empty if none is protected
   bool classified_ = false;
   std::vector<std::vector<SubsegmentId>> incident_;  // by vertex; empty if not tracked
   bool tracking_ = false;

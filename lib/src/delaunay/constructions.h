@@ -36,6 +36,22 @@ inline Point2 division_point(const Point2& a, const Point2& b, unsigned i, unsig
   return {a.x + s * (b.x - a.x), a.y + s * (b.y - a.y)};
 }
 
+/// Midpoint of the arc from a to b about `center`, less than half a turn: each coordinate within a
+/// few ulp of the largest coordinate, and `radius` from the center but for that.
+inline Point2 arc_midpoint(const Point2& center, double radius, const Point2& a, const Point2& b) {
+  // a and b are equally far from the center, so that the sum points to the middle.
+  const double x = (a.x - center.x) + (b.x - center.x), y = (a.y - center.y) + (b.y - center.y);
+  const double scale = radius / std::sqrt(x * x + y * y);
+  return {center.x + scale * x, center.y + scale * y};
+}
+
+/// Whether p lies in the open diametral disk of ab, where a and b were rounded onto an arc: inside
+/// by more than the slack, relative to the diameter.
+inline bool in_diametral_disk_of_chord(const Point2& a, const Point2& b, const Point2& p) {
+  const double dot = (a.x - p.x) * (b.x - p.x) + (a.y - p.y) * (b.y - p.y);
+  return dot < (1 - kLengthSlack) * squared_distance(a, b);
+}
+
 /// Shape of a triangle: what RE(t) and R_t (thesis, Definition 2.1.2) are made of.
 struct TriangleShape {
   double shortest2, middle2, longest2;  ///< squared edge lengths

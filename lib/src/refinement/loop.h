@@ -147,7 +147,8 @@ class Loop final : public Stage {
   void yield(Workspace& w, TriangleRef t, const Proposal& p) {
     bool queued = false;
     for (const SubsegmentId s : view_->encroached()) {
-      if (!view_->alive(s) || view_->subsegment(s).frozen) continue;
+      const Subsegment& u = view_->subsegment(s);
+      if (!u.alive || u.frozen || u.is_collar) continue;
       queued = true;
       w.recorder.yielded(t, p.at, s);
       w.recorder.queued(s, {Reason::kYieldedTo, VertexId(), 0});
@@ -277,7 +278,9 @@ class Loop final : public Stage {
   static std::uint32_t tag_of(SubsegmentId s) { return s.value; }
   static std::uint32_t tag_of(TriangleRef) { return kNone; }
   static Feature feature_of(const Workspace& w, SubsegmentId s) {
-    return {FeatureKind::kSegment, w.live.subsegment(s).segment.value};
+    const Subsegment& u = w.live.subsegment(s);
+    if (u.is_arc()) return {FeatureKind::kFree, kNoIndex};
+    return {FeatureKind::kSegment, u.segment.value};
   }
   static Feature feature_of(const Workspace&, TriangleRef) {
     return {FeatureKind::kFree, kNoIndex};

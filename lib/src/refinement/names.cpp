@@ -62,6 +62,14 @@ const char* name(Reason reason) {
       return "division";
     case Reason::kCollar:
       return "collar";
+    case Reason::kCircle:
+      return "circle";
+    case Reason::kArcMidpoint:
+      return "arc-midpoint";
+    case Reason::kEqualLength:
+      return "equal-length";
+    case Reason::kShell:
+      return "shell";
     case Reason::kOutsideDomain:
       return "outside-domain";
     case Reason::kProtected:
@@ -72,6 +80,8 @@ const char* name(Reason reason) {
       return "precision";
     case Reason::kFrozen:
       return "frozen";
+    case Reason::kSeditious:
+      return "seditious";
     case Reason::kDied:
       return "died";
     case Reason::kAcceptable:

@@ -106,6 +106,7 @@ class Recorder {
     const Subsegment& u = live_.subsegment(s);
     e.simplex[0] = u.a.value;
     e.simplex[1] = u.b.value;
+    e.simplex[2] = u.center.value;
     e.simplex[3] = u.segment.value;
     return e;
   }

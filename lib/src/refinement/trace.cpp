@@ -50,6 +50,10 @@ std::string list_of(const Event& e) {
 std::string simplex_words(const Event& e) {
   switch (e.dimension) {
     case 1:
+      if (e.simplex[2] != kNoIndex) {
+        return "The arc about input vertex " + std::to_string(e.simplex[2]) + " between vertices " +
+               list_of(e);
+      }
       return "The piece of segment " + std::to_string(e.simplex[3]) + " between vertices " +
              list_of(e);
     case 2:
@@ -107,6 +111,8 @@ std::string why_refused(Reason reason) {
       return "that would make an edge shorter than the shortest allowed";
     case Reason::kPrecision:
       return "the new vertex would coincide with another one in double precision";
+    case Reason::kSeditious:
+      return "its shortest edge is seditious";
     case Reason::kFrozen:
       return "its circumcenter would yield to a piece of a segment that is not split any more";
     default:
@@ -185,13 +191,14 @@ std::string to_jsonl(const Trace& trace) {
     if (e.reason != Reason::kNone) line["reason"] = name(e.reason);
     if (corners(e) > 0) {
       line["simplex"] = std::vector<std::uint32_t>(e.simplex, e.simplex + corners(e));
-      if (e.dimension == 1) line["segment"] = e.simplex[3];
+      if (e.dimension == 1 && e.simplex[3] != kNoIndex) line["segment"] = e.simplex[3];
+      if (e.dimension == 1 && e.simplex[2] != kNoIndex) line["center"] = e.simplex[2];
     }
     if (e.kind == EventKind::kInserted) line["vertex"] = e.subject;
     if (e.kind == EventKind::kQueued && e.subject != kNoIndex) line["witness"] = e.subject;
     if (e.kind == EventKind::kYielded) {
       line["to"] = {e.other[0], e.other[1]};
-      line["segment"] = e.subject;
+      if (e.subject != kNoIndex) line["segment"] = e.subject;
     }
     if (e.kind == EventKind::kInserted || e.kind == EventKind::kRefused ||
         e.kind == EventKind::kYielded) {
@@ -233,9 +240,11 @@ std::string describe(const Event& e, const std::vector<std::string>& steps) {
     case EventKind::kRefused:
       return simplex_words(e) + " is not split: " + why_refused(e.reason) + ".";
     case EventKind::kYielded:
-      return simplex_words(e) + " yields: its circumcenter encroaches upon the piece of segment " +
-             std::to_string(e.subject) + " between vertices " + std::to_string(e.other[0]) +
-             " and " + std::to_string(e.other[1]) + ", which is queued instead.";
+      return simplex_words(e) + " yields: its circumcenter encroaches upon the " +
+             (e.subject == kNoIndex ? std::string("arc")
+                                    : "piece of segment " + std::to_string(e.subject)) +
+             " between vertices " + std::to_string(e.other[0]) + " and " +
+             std::to_string(e.other[1]) + ", which is queued instead.";
     case EventKind::kInserted: {
       const std::string vertex = "Vertex " + std::to_string(e.subject);
       if (e.dimension == 0) {

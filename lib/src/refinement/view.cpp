@@ -93,8 +93,7 @@ Outlook View::look(Point2& c, TriangleRef t) {
   for (const HalfEdge h : dt_.cavity_boundary()) {
     const std::uint32_t tag = dt_.tag(h);
     if (tag == kNone) continue;
-    if (in_diametral_ball(dt_.point(dt_.origin(h)), dt_.point(dt_.target(h)), c) ==
-        Sign::kPositive) {
+    if (disk_holds(live_.subsegment(SubsegmentId(tag)), c)) {
       encroached_.push_back(SubsegmentId(tag));
     }
   }

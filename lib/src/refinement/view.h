@@ -59,8 +59,13 @@ class View {
   // --- subsegments
   bool alive(SubsegmentId s) const { return live_.subsegment(s).alive; }
   const Subsegment& subsegment(SubsegmentId s) const { return live_.subsegment(s); }
+  /// Of an arc: the midpoint of the arc.
   Point2 midpoint(SubsegmentId s) const {
     const Subsegment& u = live_.subsegment(s);
+    if (u.is_arc()) {
+      return arc_midpoint(dt_.point(u.center), live_.protection_distance(u.center), dt_.point(u.a),
+                          dt_.point(u.b));
+    }
     return outward(circumball::midpoint(dt_.point(u.a), dt_.point(u.b)), s);
   }
   /// p, a rounded point of s. Where s is an edge of the convex hull and rounding put p inside, the
@@ -71,7 +76,8 @@ class View {
   /// Whether the open diametral disk of s holds a vertex (Algorithm 2.3), exactly; or s is not an
   /// edge of the triangulation, although the open disk is empty: vertices on its circle took the
   /// edge by a tie. If some vertex is inside the disk of an edge, one of the edge's two apexes is
-  /// (Proposition 2.1).
+  /// (Proposition 2.1). Of an arc, the disk of its chord; the center of the circle, which is on the
+  /// disk's border for a quarter turn, never counts.
   Verdict encroachment(SubsegmentId s) const {
     const HalfEdge h = live_.edge_of(s);
     if (h == kNone) return {Reason::kMissing, VertexId(), 0};
@@ -85,9 +91,8 @@ class View {
   /// The same, where v is an apex of the edge of s and all else is known.
   Verdict encroached_by(SubsegmentId s, VertexId v) const {
     const Subsegment& u = live_.subsegment(s);
-    const bool inside =
-        in_diametral_ball(dt_.point(u.a), dt_.point(u.b), dt_.point(v)) == Sign::kPositive;
-    return inside ? Verdict{Reason::kEncroached, v, 0} : Verdict{};
+    return v != u.center && disk_holds(u, dt_.point(v)) ? Verdict{Reason::kEncroached, v, 0}
+                                                        : Verdict{};
   }
 
   /// Whether s is not an edge of the triangulation.
@@ -144,6 +149,20 @@ class View {
   bool separates() const {
     return !dt_.cavity_tagged_inside().empty() || !live_.in_domain(dt_.cavity()[0]);
   }
+  /// Whether t is one of the fan in a protecting disk: an input vertex, over an arc about it.
+  bool in_protecting_disk(TriangleRef t) const {
+    const auto& corners = dt_.triangle(t.id).v;
+    for (unsigned i = 0; i < 3; ++i) {
+      const std::uint32_t tag = dt_.tag(4 * t.id + i);
+      if (tag != kNone && live_.subsegment(SubsegmentId(tag)).center == corners[i]) return true;
+    }
+    return false;
+  }
+  /// Whether all of them are collar simplices.
+  bool encroaches_upon_collar_only() const {
+    return std::all_of(encroached_.begin(), encroached_.end(),
+                       [this](SubsegmentId s) { return live_.subsegment(s).is_collar; });
+  }
   /// Whether a collar simplex is among them.
   bool encroaches_upon_collar() const {
     return std::any_of(encroached_.begin(), encroached_.end(),
@@ -158,9 +177,13 @@ class View {
     const VertexId p = dt_.apex(h);
     if (p == Delaunay2::kGhost) return VertexId();
     const Subsegment& u = live_.subsegment(s);
-    const bool inside =
-        in_diametral_ball(dt_.point(u.a), dt_.point(u.b), dt_.point(p)) == Sign::kPositive;
-    return inside ? p : VertexId();
+    return p != u.center && disk_holds(u, dt_.point(p)) ? p : VertexId();
+  }
+  /// Whether p lies in the open diametral disk: exact, but for arcs.
+  bool disk_holds(const Subsegment& u, const Point2& p) const {
+    const Point2 &a = dt_.point(u.a), &b = dt_.point(u.b);
+    return u.is_arc() ? in_diametral_disk_of_chord(a, b, p)
+                      : in_diametral_ball(a, b, p) == Sign::kPositive;
   }
   bool cavity_holds(TriangleId t) const {
     const auto& cavity = dt_.cavity();

@@ -33,11 +33,16 @@ export const Reason = {
   offCenter: 20,
   division: 21,
   collar: 22,
+  circle: 23,
+  arcMidpoint: 24,
+  equalLength: 25,
+  shell: 26,
   outsideDomain: 32,
   protected: 33,
   minEdge: 34,
   precision: 35,
   frozen: 36,
+  seditious: 37,
   died: 48,
   acceptable: 49,
   limitVertices: 64,
@@ -57,6 +62,7 @@ export interface TraceEvent {
   readonly step: number;
   readonly simplex: readonly number[]; // its vertices: dimension + 1 of them
   readonly segment: number; // input segment of a subsegment; NONE
+  readonly center: number; // input vertex that an arc is about; NONE
   readonly subject: number;
   readonly other: readonly [number, number];
   readonly at: readonly [number, number];

@@ -24,8 +24,8 @@ export function sentenceOf(e: TraceEvent, steps: readonly string[]): string {
     case Kind.refused:
       return `${capital(name)} is not safe to split: ${refusal(e)}.`;
     case Kind.yielded: {
-      const segment = e.subject === NONE ? '' : ` of segment ${e.subject}`;
-      return `The circumcenter of ${name} encroaches upon subsegment ${e.other[0]}–${e.other[1]}${segment}, so it yields: that subsegment is queued, and the triangle goes back.`;
+      const other = simplexName(e.other, e.subject);
+      return `The circumcenter of ${name} encroaches upon ${other}, so it yields: that is queued instead, and the triangle goes back.`;
     }
     case Kind.inserted:
       return inserted(e, name);
@@ -80,6 +80,14 @@ function inserted(e: TraceEvent, name: string): string {
       return `${vertex} is inserted to divide ${name} into equal parts.${radius}`;
     case Reason.collar:
       return `${vertex} is inserted on ${name}, at the distance that protects its acute angle.${radius}`;
+    case Reason.circle:
+      return `${vertex} is inserted on the circle that protects an acute angle, so that no arc spans more than a quarter turn.${radius}`;
+    case Reason.arcMidpoint:
+      return `${vertex} is inserted at the midpoint of ${name}.${radius}`;
+    case Reason.equalLength:
+      return `${vertex} is inserted on ${name}, so that adjacent segments have pieces of equal lengths.${radius}`;
+    case Reason.shell:
+      return `${vertex} is inserted on ${name}, on a concentric shell about its input vertex.${radius}`;
     case Reason.offCenter:
       return `${vertex} is inserted at the off-center of ${name}.${radius}`;
     case Reason.circumcenter:
@@ -101,6 +109,8 @@ function refusal(e: TraceEvent): string {
       return 'an edge shorter than the bound would appear';
     case Reason.precision:
       return 'the new vertex could not be told from another one in double precision';
+    case Reason.seditious:
+      return 'its shortest edge is seditious: it joins two segments of a small angle, on one shell';
     case Reason.frozen:
       return 'it would yield to a subsegment that was refused itself';
     default:

@@ -106,6 +106,7 @@ export class Trace {
       step: this.bytes[byte + 3]!,
       simplex,
       segment: dimension === 1 ? this.words[word + 4]! : NONE,
+      center: dimension === 1 ? this.words[word + 3]! : NONE,
       subject: this.words[word + 5]!,
       other: [this.words[word + 6]!, this.words[word + 7]!],
       at: [this.doubles[double + 4]!, this.doubles[double + 5]!],
