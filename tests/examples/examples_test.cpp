@@ -52,6 +52,7 @@ Options options_of(const Example& example) {
   if (given.contains("size")) o.size = given["size"].get<std::string>();
   if (given.contains("maxVertices")) o.limits.max_vertices = given["maxVertices"];
   if (given.contains("minEdge")) o.limits.min_edge = given["minEdge"];
+  if (given.contains("parameters")) o.parameters = given["parameters"];
   if (given.contains("domain")) {
     const std::string domain = given["domain"];
     o.domain = domain == "hull" ? Domain::kHull : domain == "box" ? Domain::kBox : Domain::kClosed;

@@ -20,6 +20,7 @@ struct VerifyOptions {
   /// Cells (sorted vertex numbers) that the run reported as rightly refused: not counted by the
   /// quality checks.
   std::vector<std::vector<std::uint32_t>> excused;
+  bool protect_all = false;  ///< "collar": all input vertices are protected, not the acute alone
 };
 
 struct Check {

@@ -42,7 +42,8 @@ Check check_collar(const VerifyContext& context) {
   check.name = "collar";
   const Mesh& mesh = context.mesh;
   const double tau = context.options.tau.value_or(0);
-  const std::vector<bool> acute = acute_corners(context.complex);
+  std::vector<bool> acute = acute_corners(context.complex);
+  if (context.options.protect_all) acute.assign(acute.size(), true);
   std::vector<bool> protects(mesh.vertices.size(), false);
   for (std::size_t i = 0; i < acute.size(); ++i) {
     if (acute[i] && context.mesh_vertex[i] != kNoIndex) protects[context.mesh_vertex[i]] = true;
