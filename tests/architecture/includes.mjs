@@ -12,13 +12,14 @@ export const layers = {
   predicates: [],
   delaunay: ['predicates'],
   complex: ['predicates', 'delaunay'],
+  expression: ['predicates'],
   feature_size: ['predicates', 'delaunay', 'complex'],
-  refinement: ['predicates', 'delaunay', 'complex'],
+  refinement: ['predicates', 'delaunay', 'complex', 'expression'],
   protection: ['predicates', 'delaunay', 'complex', 'refinement'],
   algorithms: ['predicates', 'delaunay', 'complex', 'refinement', 'protection'], // not the oracle that they are checked with
   // Verification may reason about complexes as `check` does; what it shares with the mesher is looked at below.
   quality: ['predicates', 'complex', 'feature_size'],
-  fem: [],
+  fem: ['predicates', 'expression'],
   io: ['predicates/elementary'], // rotations of drawings are the same everywhere
   report: [],
 };
@@ -28,12 +29,13 @@ export const headers = {
   predicates: ['types', 'predicates'],
   delaunay: ['types', 'predicates'],
   complex: ['types', 'predicates', 'complex', 'mesh'],
+  expression: [],
   feature_size: ['types', 'predicates', 'complex', 'mesh', 'feature_size'],
   refinement: ['types', 'predicates', 'complex', 'mesh', 'trace', 'refine'],
   protection: ['types', 'predicates', 'complex', 'mesh', 'trace', 'refine'],
   algorithms: ['types', 'predicates', 'complex', 'mesh', 'trace', 'refine', 'registry'],
   quality: ['types', 'predicates', 'complex', 'mesh', 'verify', 'feature_size'],
-  fem: ['types', 'mesh'],
+  fem: ['types', 'mesh', 'fem', 'fem_laboratory'],
   io: ['types', 'complex', 'mesh', 'io'],
   report: null, // every one
 };

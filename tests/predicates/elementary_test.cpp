@@ -127,6 +127,25 @@ TEST(Elementary, InverseFunctionsAreWithinTheirBounds) {
       2);
 }
 
+TEST(Elementary, TangentAndTheAngleOfAPointAreWithinFourUlp) {
+  const auto exact_tan = [](const Real& x) -> Real { return tan(x); };
+  EXPECT_LE(worst(elementary::tan, exact_tan, uniform<2>, 24), 4);
+  EXPECT_LE(worst(elementary::tan, exact_tan, uniform<100>, 25), 4);
+  Random random(26);
+  double greatest = 0;
+  for (int i = 0; i < kSamples; ++i) {
+    const double y = random.uniform(), x = random.uniform() * (i % 2 == 0 ? 1 : 1e-3);
+    greatest = std::fmax(greatest, ulps(elementary::atan2(y, x), atan2(Real(y), Real(x))));
+  }
+  EXPECT_LE(greatest, 4);
+  EXPECT_EQ(elementary::atan2(0, 0), 0);
+  EXPECT_EQ(elementary::atan2(-0.0, -1), elementary::kPi);
+  EXPECT_EQ(elementary::atan2(1, 0), elementary::kPi / 2);
+  EXPECT_EQ(elementary::atan2(-1, 0), -elementary::kPi / 2);
+  EXPECT_EQ(elementary::atan2(-kInfinity, kInfinity), -elementary::kPi / 4);
+  EXPECT_TRUE(std::isnan(elementary::atan2(kNaN, 1)));
+}
+
 TEST(Elementary, PowIsWithinOneUlp) {
   Random random(24);
   for (int i = 0; i < kSamples; ++i) {

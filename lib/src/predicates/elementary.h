@@ -24,6 +24,11 @@ double asin(double x);
 double acos(double x);
 /// Inverse tangent, in [-pi/2, pi/2]: within 2 ulp.
 double atan(double x);
+/// Tangent of x in radians: within 4 ulp.
+double tan(double x);
+/// The angle of (x, y), in (-pi, pi]: within 4 ulp. Both zeros count as positive: pi on the
+/// negative x axis, 0 at the origin.
+double atan2(double y, double x);
 /// e^x: within 1 ulp. Zero or infinity where the result is out of range.
 double exp(double x);
 /// Natural logarithm: within 1 ulp. Minus infinity at zero, NaN below.

@@ -1,4 +1,4 @@
-// sin, cos and their inverses.
+// sin, cos, tan and their inverses.
 
 #include <cmath>
 
@@ -198,6 +198,28 @@ double atan(double x) {
   }
   if (x == 0) return x;  // with its sign
   return x < 0 ? -result : result;
+}
+
+// 1 ulp each of sine and cosine, and the rounding of the quotient.
+double tan(double x) { return sin(x) / cos(x); }
+
+// The rounding of the quotient is at most half an ulp of the angle, since t atan'(t) <= atan t.
+double atan2(double y, double x) {
+  if (x != x || y != y) return kNaN;
+  const double sx = std::fabs(x), sy = std::fabs(y);
+  double angle;  // of (|x|, |y|), then of (x, |y|)
+  if (sy == 0) {
+    angle = 0;
+  } else if (sx == kInfinity && sy == kInfinity) {
+    angle = kHalfPi.high / 2;
+  } else {
+    angle = atan(sy / sx);
+  }
+  if (x < 0) {
+    const TwoDoubles s = two_sum(2 * kHalfPi.high, -angle);
+    angle = s.high + (s.low + 2 * kHalfPi.low);
+  }
+  return y < 0 ? -angle : angle;
 }
 
 // (1 - x)(1 + x) loses nothing near 1, and a relative error of its argument enters atan's result at

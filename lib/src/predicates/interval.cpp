@@ -12,6 +12,10 @@ using internal::least;
 /// elementary::exp, log, sin and cos are within 1 ulp, which is less than two doubles away even
 /// across a power of two.
 constexpr int kElementaryDoubles = 2;
+/// tan, asin, acos, atan and atan2 are within 4 ulp, which is at most eight doubles.
+constexpr int kInverseDoubles = 8;
+/// An upper bound of pi.
+constexpr double kPiUp = 0x1.921fb54442d19p+1;
 
 /// Lower and upper bound of x^n for x >= 0, n >= 1, by repeated squaring with outward steps.
 Interval power_of_non_negative(double x, unsigned n) {
@@ -86,5 +90,43 @@ Interval log(const Interval& a) {
 
 Interval sin(const Interval& a) { return sine(a, 0); }
 Interval cos(const Interval& a) { return sine(a, 1); }
+
+Interval tan(const Interval& a) {
+  if (a.is_empty()) return a;
+  // Poles are where odd quarter turns begin; in between the tangent increases.
+  if (!(a.hi - a.lo < 3.14)) return Interval::everything();
+  const int from = elementary::quarter_turn(a.lo), to = elementary::quarter_turn(a.hi);
+  const bool pole = from % 2 == 0 ? to != from : (to != from && to != ((from + 1) & 3));
+  if (pole) return Interval::everything();
+  return Interval(elementary::tan(a.lo), elementary::tan(a.hi)).widened(kInverseDoubles);
+}
+
+Interval asin(const Interval& a) {
+  if (!(a.hi >= -1 && a.lo <= 1)) return Interval::empty();
+  return Interval(elementary::asin(greatest(a.lo, -1)), elementary::asin(least(a.hi, 1)))
+      .widened(kInverseDoubles);
+}
+
+Interval acos(const Interval& a) {
+  if (!(a.hi >= -1 && a.lo <= 1)) return Interval::empty();
+  return Interval(elementary::acos(least(a.hi, 1)), elementary::acos(greatest(a.lo, -1)))
+      .widened(kInverseDoubles);
+}
+
+Interval atan(const Interval& a) {
+  if (a.is_empty()) return a;
+  return Interval(elementary::atan(a.lo), elementary::atan(a.hi)).widened(kInverseDoubles);
+}
+
+Interval atan2(const Interval& y, const Interval& x) {
+  if (y.is_empty() || x.is_empty()) return Interval::empty();
+  // The box meets the cut from both sides.
+  if (x.lo < 0 && y.lo < 0 && y.hi >= 0) return {-kPiUp, kPiUp};
+  // For fixed y the angle is monotonic in x, for fixed x in y: its extrema are at corners.
+  const Interval r = internal::hull(elementary::atan2(y.lo, x.lo), elementary::atan2(y.lo, x.hi),
+                                    elementary::atan2(y.hi, x.lo), elementary::atan2(y.hi, x.hi))
+                         .widened(kInverseDoubles);
+  return {greatest(r.lo, -kPiUp), least(r.hi, kPiUp)};
+}
 
 }  // namespace circumball

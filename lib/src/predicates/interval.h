@@ -117,6 +117,14 @@ Interval log(const Interval& a);
 /// Periodic functions: the extrema inside a are found by exact quarter turns.
 Interval sin(const Interval& a);
 Interval cos(const Interval& a);
+/// Everything where a pole may be inside.
+Interval tan(const Interval& a);
+/// Of the part of a that is in [-1, 1].
+Interval asin(const Interval& a);
+Interval acos(const Interval& a);
+Interval atan(const Interval& a);
+/// The angle of (x, y) in (-pi, pi], as elementary::atan2 has it.
+Interval atan2(const Interval& y, const Interval& x);
 
 }  // namespace circumball
 
