@@ -5,13 +5,14 @@ import type { Action } from './types.ts';
 
 /** Every action of the page. Buttons and menus name them by id; shortcuts and the help sheet read the list. */
 
-const { playback, doc, settings } = app;
-const hasTrace = () => app.run.trace !== null;
+const { doc, settings } = app;
+const busy = () => app.panes.some((pane) => pane.run.busy);
+const hasTrace = () => app.clock.length > 0;
 
 function jumps(target: JumpTarget, digit: number): Action[] {
   const name = texts.transport.targets[target];
   const jump = (forward: boolean) => () => {
-    if (!playback.jump(target, forward)) app.say(`No ${forward ? 'further' : 'earlier'} ${name}.`);
+    if (!app.clock.jump(target, forward)) app.say(`No ${forward ? 'further' : 'earlier'} ${name}.`);
   };
   return [
     {
@@ -46,12 +47,12 @@ const play: Action[] = [
   {
     id: 'play',
     title: texts.transport.play,
-    now: () => (playback.playing ? texts.transport.pause : texts.transport.play),
+    now: () => (app.clock.playing ? texts.transport.pause : texts.transport.play),
     group: 'Play',
     keys: ['Space', 'k'],
     enabled: () => !doc.isEmpty,
-    pressed: () => playback.playing,
-    perform: () => (app.fresh ? playback.toggle() : void app.refine({ play: true })),
+    pressed: () => app.clock.playing,
+    perform: () => (app.fresh ? app.clock.toggle() : void app.refine({ play: true })),
   },
   {
     id: 'step',
@@ -59,7 +60,7 @@ const play: Action[] = [
     group: 'Play',
     keys: ['ArrowRight'],
     enabled: hasTrace,
-    perform: () => playback.step(1),
+    perform: () => app.clock.step(1),
   },
   {
     id: 'step-back',
@@ -67,7 +68,7 @@ const play: Action[] = [
     group: 'Play',
     keys: ['ArrowLeft'],
     enabled: hasTrace,
-    perform: () => playback.step(-1),
+    perform: () => app.clock.step(-1),
   },
   {
     id: 'start',
@@ -75,7 +76,7 @@ const play: Action[] = [
     group: 'Play',
     keys: ['Home'],
     enabled: hasTrace,
-    perform: () => playback.step(Number.NEGATIVE_INFINITY),
+    perform: () => app.clock.step(Number.NEGATIVE_INFINITY),
   },
   {
     id: 'end',
@@ -83,7 +84,7 @@ const play: Action[] = [
     group: 'Play',
     keys: ['End'],
     enabled: hasTrace,
-    perform: () => playback.step(Number.POSITIVE_INFINITY),
+    perform: () => app.clock.step(Number.POSITIVE_INFINITY),
   },
   { id: 'faster', title: 'Faster', group: 'Play', keys: ['>'], perform: () => changeSpeed(1) },
   { id: 'slower', title: 'Slower', group: 'Play', keys: ['<'], perform: () => changeSpeed(-1) },
@@ -92,7 +93,7 @@ const play: Action[] = [
     title: texts.run.start,
     group: 'Play',
     keys: ['Mod+Enter'],
-    enabled: () => !doc.isEmpty && !app.run.busy,
+    enabled: () => !doc.isEmpty && !busy(),
     perform: () => void app.refine({}),
   },
   {
@@ -100,8 +101,10 @@ const play: Action[] = [
     title: texts.transport.stop,
     group: 'Play',
     keys: ['Mod+.'],
-    enabled: () => app.run.busy,
-    perform: () => void app.run.stop(),
+    enabled: busy,
+    perform: () => {
+      for (const { run } of app.panes) void run.stop();
+    },
   },
 ];
 
@@ -198,7 +201,7 @@ const tools: Action[] = [
       keys: [tool.key],
       pressed: () => app.mode === 'draw' && doc.tool === tool.id,
       perform: () => {
-        playback.pause();
+        app.clock.pause();
         app.mode = 'draw';
         app.tab = 'setup';
         doc.editor.setTool(tool.id);
@@ -229,6 +232,15 @@ const view: Action[] = [
     group: 'View',
     keys: ['-'],
     perform: () => app.picture?.zoomBy(1 / 1.4),
+  },
+  {
+    id: 'compare',
+    title: texts.compare.title,
+    group: 'View',
+    keys: ['c'],
+    enabled: () => app.comparing || !doc.isEmpty,
+    pressed: () => app.comparing,
+    perform: () => (app.comparing ? app.closeComparison() : void app.compare()),
   },
   {
     id: 'theme',

@@ -103,6 +103,15 @@ export class CoreClient {
     this.onLoss(loss);
   }
 
+  /** Ends the worker for good, and nobody is told: the page has no more use for it. */
+  dispose(): void {
+    this.worker?.terminate();
+    this.worker = null;
+    this.remote = null;
+    this.ready = null;
+    this.lose('crashed');
+  }
+
   private async call<T>(
     act: (core: Comlink.Remote<CoreApi>) => Promise<T>,
     patience = PATIENCE_MS,

@@ -1,6 +1,7 @@
 import type { RunOptions } from 'circumball';
 import { deflateSync, inflateSync, strFromU8, strToU8 } from 'fflate';
 import { complexFromJson, complexToText } from '../core/complex-json.ts';
+import type { Pace } from '../replay/lockstep.ts';
 import type { ColorMode, Complex2, View } from '../shared/types.ts';
 
 /** What a link restores: input, algorithm, parameters, moment and view, exactly. */
@@ -10,6 +11,14 @@ export interface Shared {
   readonly moment: number | null; // position in the trace; null: the input alone
   readonly view: View | null;
   readonly color?: ColorMode;
+  readonly compare?: ComparisonOptions;
+}
+
+/** A second algorithm beside the first one. */
+export interface ComparisonOptions {
+  readonly options: RunOptions;
+  readonly pace: Pace;
+  readonly tick: number | null; // of the common timeline; null: where `moment` is
 }
 
 const PREFIX = '#v1=';
@@ -18,9 +27,9 @@ const MAX_BYTES = 64 * 1024 * 1024;
 
 /** The part of the address after the page, "#v1=…": deflated JSON in URL-safe base 64. */
 export function toHash(shared: Shared): string {
-  const { options, moment, view, color } = shared;
-  const rest = JSON.stringify({ options, moment, view, color });
-  const text = `{"complex":${complexToText(shared.complex)},"rest":${rest}}`;
+  const { complex, ...others } = shared;
+  const rest = JSON.stringify(others);
+  const text = `{"complex":${complexToText(complex)},"rest":${rest}}`;
   return PREFIX + toBase64(deflateSync(strToU8(text), { level: 9 }));
 }
 
@@ -30,20 +39,33 @@ export function fromHash(hash: string): Shared | null {
   try {
     const packed = fromBase64(hash.slice(PREFIX.length));
     const json = JSON.parse(strFromU8(inflateBounded(packed)));
-    const { options, moment, view, color } = json.rest ?? {};
+    const { options, moment, view, color, compare } = json.rest ?? {};
     if (!isComplexJson(json.complex)) throw new Error('no complex');
     return {
       complex: complexFromJson(json.complex),
       options: isRecord(options) ? (options as RunOptions) : {},
-      moment: Number.isInteger(moment) && moment >= 0 ? moment : null,
+      moment: isPosition(moment) ? moment : null,
       view: isView(view) ? view : null,
       ...(typeof color === 'string' ? { color: color as ColorMode } : {}),
+      ...(isRecord(compare) ? { compare: comparisonOf(compare) } : {}),
     };
   } catch {
     throw new Error(
       'The link is damaged: perhaps it was cut off. Ask for it again, or for the exported input.',
     );
   }
+}
+
+function comparisonOf({ options, pace, tick }: Record<string, unknown>): ComparisonOptions {
+  return {
+    options: isRecord(options) ? (options as RunOptions) : {},
+    pace: pace === 'share' ? 'share' : 'vertices',
+    tick: isPosition(tick) ? tick : null,
+  };
+}
+
+function isPosition(x: unknown): x is number {
+  return Number.isInteger(x) && (x as number) >= 0;
 }
 
 function inflateBounded(packed: Uint8Array): Uint8Array {

@@ -60,6 +60,34 @@ export function histogram(state: MeshState, cache: AngleCache): Histogram {
     : { bins, triangles, minAngle: Number.NaN, maxAngle: Number.NaN };
 }
 
+export interface MeshMeasures {
+  readonly triangles: number; // inside the domain
+  readonly minAngle: number; // degrees; NaN without triangles
+  readonly maxAngle: number;
+  readonly bad: number; // with a radius-edge ratio above tau; 0 if tau is 0
+}
+
+/** O(live triangles). */
+export function measureMesh(
+  trace: Trace,
+  state: MeshState,
+  cache: AngleCache,
+  tau: number,
+): MeshMeasures {
+  const { triangles, minAngle, maxAngle } = histogram(state, cache);
+  let bad = 0;
+  if (tau > 0.5) {
+    // Angles are kept in single precision: where they come near the bound the ratio itself decides.
+    const near = (Math.asin(1 / (2 * tau)) * 180) / Math.PI + 0.01;
+    for (let i = 0; i < state.liveTriangleCount; i++) {
+      const n = state.liveTriangles[i]!;
+      if (state.triangleLabel[n] === Label.outside || Math.min(...cache.of(n)) > near) continue;
+      if (measureTriangle(trace, n).radiusEdge > tau) bad++;
+    }
+  }
+  return { triangles, minAngle, maxAngle, bad };
+}
+
 /** The triangles with an angle in a bin: what the picture stresses when a bar is pointed at. */
 export function trianglesInBin(state: MeshState, cache: AngleCache, bin: number): Set<number> {
   const found = new Set<number>();

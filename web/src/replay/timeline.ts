@@ -26,15 +26,27 @@ export interface Density {
   readonly yielded: Float32Array;
 }
 
-/** Shares of each kind among the events that fall into each of `buckets` equal parts of the strip. */
-export function density(trace: Trace, buckets: number): Density {
+/**
+ * Shares of each kind among the events that fall into each of `buckets` equal parts of the strip. `at`: where in the trace a
+ * place of the strip is, if the strip is that of two runs and `length` long.
+ */
+export function density(
+  trace: Trace,
+  buckets: number,
+  length: number = trace.eventCount,
+  at: (place: number) => number = (place) => place,
+): Density {
+  const end = trace.eventCount;
+  const edges = Array.from({ length: buckets + 1 }, (_, b) =>
+    Math.min(end, at(Math.floor((b * length) / buckets))),
+  );
   const share = (before: GrowU32) => {
     const out = new Float32Array(buckets);
     for (let b = 0; b < buckets; b++) {
-      const from = Math.floor((b * trace.eventCount) / buckets);
-      const to = Math.max(from + 1, Math.floor(((b + 1) * trace.eventCount) / buckets));
-      if (from >= trace.eventCount) break;
-      out[b] = (before.at(Math.min(to, trace.eventCount)) - before.at(from)) / (to - from);
+      const from = edges[b]!;
+      const to = Math.max(from + (length === end ? 1 : 0), edges[b + 1]!);
+      if (from >= end || to <= from) continue;
+      out[b] = (before.at(Math.min(to, end)) - before.at(from)) / (to - from);
     }
     return out;
   };

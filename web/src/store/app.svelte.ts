@@ -2,17 +2,16 @@ import type { AlgorithmInfo, Defect, RunOptions } from 'circumball';
 import { CoreClient, type CoreLoss } from '../core/client.ts';
 import { complexFromJson } from '../core/complex-json.ts';
 import type { Hello } from '../core/worker.ts';
-import type { Shared } from '../link/link.ts';
-import { type Complex2, emptyComplex, type Hit, type Picture, type View } from '../shared/types.ts';
+import type { ComparisonOptions, Shared } from '../link/link.ts';
+import { type Complex2, emptyComplex, type View } from '../shared/types.ts';
 import { texts } from '../texts.ts';
+import { Comparison } from './comparison.svelte.ts';
 import { DocumentStore } from './document.svelte.ts';
-import { ParameterStore } from './parameters.svelte.ts';
-import { PlaybackStore } from './playback.svelte.ts';
-import { RunStore } from './run.svelte.ts';
+import { Pane } from './pane.svelte.ts';
 import { Settings } from './settings.svelte.ts';
 
 export type DialogId = 'gallery' | 'export' | 'share' | 'help';
-export type Tab = 'why' | 'mesh' | 'setup';
+export type Tab = 'why' | 'mesh' | 'setup' | 'compare';
 
 export interface Notice {
   readonly text: string;
@@ -24,9 +23,12 @@ export class App {
   readonly settings = new Settings();
   readonly core = new CoreClient((loss) => this.coreLost(loss));
   readonly doc = new DocumentStore(this.core);
-  readonly run = new RunStore(this.core);
-  readonly playback = new PlaybackStore(this.run, () => this.settings.speed);
-  readonly parameters = new ParameterStore();
+  readonly first = new Pane(this.core, () => this.settings.speed);
+  readonly comparison = new Comparison(
+    this.first,
+    () => this.settings.speed,
+    (loss) => this.coreLost(loss),
+  );
 
   hello = $state.raw<Hello | null>(null);
   coreError = $state('');
@@ -37,24 +39,59 @@ export class App {
   notice = $state.raw<Notice | null>(null);
   /** Read out by screen readers. */
   announcement = $state('');
-  picked = $state.raw<Hit | null>(null);
-  picture = $state.raw<Picture | null>(null);
+  /** Which of two compared runs the panel is about. */
+  side = $state<0 | 1>(0);
   sheetOpen = $state(false);
   /** A view to restore, or the whole input to show, once the picture has it. */
   pendingView: View | null = null;
   pendingFit = false;
+
+  /** What the panel is about; all others are shorthand for what is in it. */
+  readonly pane = $derived((this.side === 1 ? this.comparison.second : null) ?? this.first);
+  get run() {
+    return this.pane.run;
+  }
+  get playback() {
+    return this.pane.playback;
+  }
+  get parameters() {
+    return this.pane.parameters;
+  }
+  get picture() {
+    return this.pane.picture;
+  }
+  get picked() {
+    return this.pane.picked;
+  }
+  set picked(hit) {
+    this.pane.picked = hit;
+  }
+  readonly comparing = $derived(this.comparison.second !== null);
+  readonly panes = $derived([
+    this.first,
+    ...(this.comparison.second ? [this.comparison.second] : []),
+  ]);
+  /** What the transport drives. */
+  readonly clock = $derived(
+    this.comparing && this.comparison.second?.run.phase !== 'failed'
+      ? this.comparison.clock
+      : this.first.playback,
+  );
 
   readonly algorithms = $derived<readonly AlgorithmInfo[]>(
     (this.hello?.algorithms ?? []).filter((a) => a.dimension === 2),
   );
   readonly algorithm = $derived(this.algorithms.find((a) => a.id === this.parameters.algorithm));
   /** The finished or growing run is about the input as it is drawn now. */
-  readonly fresh = $derived(this.run.trace !== null && this.run.complex === this.doc.complex);
+  readonly fresh = $derived(
+    this.first.run.trace !== null && this.first.run.complex === this.doc.complex,
+  );
 
   constructor() {
     this.doc.onChange(() => {
-      if (this.run.complex && this.run.complex !== this.doc.complex) this.discardRun();
-      this.picked = null;
+      const isStale = ({ run }: Pane) => run.complex && run.complex !== this.doc.complex;
+      if (this.panes.some(isStale)) this.discardRun();
+      for (const pane of this.panes) pane.picked = null;
     });
   }
 
@@ -73,14 +110,15 @@ export class App {
     this.discardRun();
     this.doc.editor.replace(complex, texts.open.opened(title));
     this.doc.title = title;
-    if (options) this.parameters.adopt(options);
-    this.picked = null;
+    if (options) this.first.parameters.adopt(options);
     this.pendingView = null;
     this.pendingFit = true;
   }
 
-  /** Refines the input as it is. Resolves when the run has ended. */
-  async refine(then: { play?: boolean; moment?: number } = {}): Promise<void> {
+  /** Refines the input as it is, under both algorithms while comparing. Resolves when that has ended. */
+  async refine(
+    then: { play?: boolean; moment?: number; tick?: number | null } = {},
+  ): Promise<void> {
     if (this.doc.complex.vertices.length === 0) {
       this.say(texts.empty.title);
       return;
@@ -88,16 +126,43 @@ export class App {
     if (!this.hello) await this.begin();
     if (this.mode === 'draw' && this.tab === 'setup') this.tab = 'why';
     this.mode = 'watch';
-    this.picked = null;
-    await this.run.start(this.doc.complex, this.parameters.options(this.algorithms), () => {
-      if (!this.run.trace) return;
-      this.playback.load(this.run.trace);
-      if (then.play) this.playback.play();
+    const { first, panes, clock } = this;
+    clock.pause();
+    if (this.comparing) clock.position = 0;
+    let loaded = 0;
+    const onLoaded = () => {
+      if (++loaded === panes.length && then.play) clock.play();
+    };
+    await Promise.all(panes.map((pane) => this.start(pane, onLoaded)));
+    if (panes.some((pane) => !this.panes.includes(pane))) return; // closed in the meantime
+    if (first.run.phase === 'failed') this.failed();
+    else if (this.tellLoss(panes) || then.play) return;
+    else if (this.comparing) this.seekComparison(then.tick ?? null, then.moment);
+    else if (then.moment !== undefined) clock.seek(then.moment);
+    else if (clock.position === 0) clock.seek(clock.length);
+  }
+
+  /** Puts a second algorithm beside the first one, on the same input. */
+  async compare(asked?: Partial<ComparisonOptions>): Promise<void> {
+    if (!this.hello) await this.begin();
+    const own = this.first.parameters.options(this.algorithms);
+    const other = own.algorithm === 'collar' ? 'ruppert' : 'collar';
+    const second = this.comparison.open({
+      options: asked?.options ?? { ...own, algorithm: other },
+      pace: asked?.pace ?? 'vertices',
     });
-    if (this.run.phase === 'failed') this.failed();
-    else if (this.run.error !== '') this.say(this.describeLoss(this.run.error), 'bad');
-    else if (then.moment !== undefined) this.playback.seek(then.moment);
-    else if (!then.play && this.playback.position === 0) this.playback.seek(this.playback.length);
+    this.tab = 'compare';
+    if (!this.fresh) return;
+    await this.start(second, () => {});
+    if (this.comparison.second !== second || this.tellLoss([second])) return;
+    this.seekComparison(asked?.tick ?? null, this.first.playback.position);
+  }
+
+  closeComparison(): void {
+    if (!this.comparing) return;
+    this.comparison.close();
+    this.side = 0;
+    if (this.tab === 'compare') this.tab = 'why';
   }
 
   async readFiles(files: readonly { name: string; bytes: Uint8Array }[]): Promise<void> {
@@ -131,28 +196,34 @@ export class App {
 
   /** What a link or the last visit carries. */
   async restore(shared: Shared, title: string): Promise<void> {
+    this.closeComparison();
     this.open(shared.complex, title, shared.options);
+    if (shared.compare) await this.compare(shared.compare);
     if (shared.color) this.settings.color = shared.color;
     this.pendingView = shared.view;
-    if (shared.moment !== null) await this.refine({ moment: shared.moment });
+    const tick = shared.compare?.tick ?? null;
+    if (shared.moment !== null) await this.refine({ moment: shared.moment, tick });
     else this.mode = 'draw';
   }
 
   /** The moment as a link carries it. */
   shared(): Shared {
+    const { second, pace, clock } = this.comparison;
+    const tick = this.fresh ? clock.position : null;
     return {
       complex: this.doc.complex,
-      options: this.fresh ? this.run.options : this.parameters.options(this.algorithms),
-      moment: this.fresh ? this.playback.position : null,
-      view: this.picture?.getView() ?? null,
+      options: this.optionsOf(this.first),
+      moment: this.fresh ? this.first.playback.position : null,
+      view: this.first.picture?.getView() ?? null,
       color: this.settings.color,
+      ...(second ? { compare: { options: this.optionsOf(second), pace, tick } } : {}),
     };
   }
 
   discardRun(): void {
-    this.playback.unload();
-    this.run.discard();
-    this.picked = null;
+    this.comparison.clock.pause();
+    this.comparison.clock.position = 0;
+    for (const pane of this.panes) pane.discard();
   }
 
   say(text: string, tone: Notice['tone'] = 'info'): void {
@@ -160,11 +231,41 @@ export class App {
     this.announcement = text;
   }
 
+  private optionsOf(pane: Pane): RunOptions {
+    return this.fresh ? pane.run.options : pane.parameters.options(this.algorithms);
+  }
+
+  private async start(pane: Pane, onLoaded: () => void): Promise<void> {
+    const { run, playback, parameters } = pane;
+    pane.picked = null;
+    await run.start(this.doc.complex, parameters.options(this.algorithms), () => {
+      if (!run.trace) return;
+      playback.load(run.trace);
+      onLoaded();
+    });
+  }
+
+  /** At a tick, or where the first run is at a moment, or at the end. */
+  private seekComparison(tick: number | null, moment?: number): void {
+    const { clock } = this.comparison;
+    if (tick !== null) clock.seek(tick);
+    else if (moment === undefined) clock.seek(clock.length);
+    else clock.seek(clock.lockstep?.tickOf(0, moment) ?? 0);
+  }
+
+  /** Says what became of a run that the core did not bring to its end. */
+  private tellLoss(panes: readonly Pane[]): boolean {
+    const lost = panes.find(({ run }) => run.error !== '');
+    if (lost) this.say(this.describeLoss(lost.run.error), 'bad');
+    return lost !== undefined;
+  }
+
   private failed(): void {
-    this.showDefects(this.run.defects);
+    const { defects, error } = this.first.run;
+    this.showDefects(defects);
     this.mode = 'draw';
     this.tab = 'setup';
-    this.say(this.run.defects[0]?.message ?? (this.run.error || texts.run.failed), 'bad');
+    this.say(defects[0]?.message ?? (error || texts.run.failed), 'bad');
   }
 
   private showDefects(defects: readonly Defect[]): void {

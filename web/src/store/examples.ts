@@ -7,6 +7,7 @@ export interface Example {
   readonly text: string;
   readonly files: readonly string[]; // the first one is read, the others are its siblings
   readonly options: RunOptions;
+  readonly compare: RunOptions | null; // a second algorithm beside the first one
 }
 
 const urls = import.meta.glob('../../../examples/*.{json,poly,node,ele,svg,obj}', {
@@ -43,6 +44,7 @@ interface Entry {
   readonly dimension?: number;
   readonly algorithm?: string;
   readonly options?: RunOptions;
+  readonly compare?: RunOptions;
 }
 
 function parse(index: unknown): Example[] {
@@ -54,5 +56,6 @@ function parse(index: unknown): Example[] {
       text: e.sentence,
       files: [e.file],
       options: { ...(e.algorithm ? { algorithm: e.algorithm } : {}), ...e.options },
+      compare: e.compare ?? null,
     }));
 }

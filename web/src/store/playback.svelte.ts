@@ -4,12 +4,11 @@ import { Replay } from '../replay/replay.ts';
 import { type JumpTarget, jump, weight } from '../replay/timeline.ts';
 import type { Trace } from '../replay/trace.ts';
 import type { MeshChange, Moment } from '../shared/types.ts';
+import { Clock } from './clock.svelte.ts';
 import type { RunStore } from './run.svelte.ts';
 
-/** The playhead: where in the trace the picture stands, and how it moves. */
-export class PlaybackStore {
-  position = $state(0);
-  playing = $state(false);
+/** The playhead of one run: where in the trace the picture stands, and how it moves. */
+export class PlaybackStore extends Clock {
   /** Set when the last move was a single event: the picture may show the change in motion. */
   lastChange: MeshChange | null = null;
 
@@ -23,14 +22,12 @@ export class PlaybackStore {
     return this.replay && this.run.trace ? momentAt(this.replay, this.position) : null;
   });
 
-  private frame = 0;
-  private last = 0;
-  private due = 0;
-
   constructor(
     private readonly run: RunStore,
-    private readonly speed: () => number,
-  ) {}
+    speed: () => number,
+  ) {
+    super(speed);
+  }
 
   /** Takes up a new trace, at its start. */
   load(trace: Trace): void {
@@ -62,12 +59,6 @@ export class PlaybackStore {
     this.position = goal;
   }
 
-  step(by: number): void {
-    this.pause();
-    this.seek(this.position + by);
-  }
-
-  /** False where there is none. */
   jump(target: JumpTarget, forward: boolean): boolean {
     if (!this.run.trace) return false;
     const goal = jump(this.run.trace, this.position, target, forward);
@@ -77,46 +68,15 @@ export class PlaybackStore {
     return true;
   }
 
-  toggle(): void {
-    if (this.playing) this.pause();
-    else this.play();
+  protected get ready(): boolean {
+    return this.replay !== null && this.run.trace !== null;
   }
 
-  play(): void {
-    if (!this.replay || this.playing) return;
-    if (this.position >= this.length && !this.run.busy) this.seek(0);
-    this.playing = true;
-    this.last = performance.now();
-    this.due = 0;
-    this.frame = requestAnimationFrame(this.tick);
+  protected get growing(): boolean {
+    return this.run.busy;
   }
 
-  pause(): void {
-    this.playing = false;
-    cancelAnimationFrame(this.frame);
+  protected cost(position: number): number {
+    return weight(this.run.trace!.kind(position));
   }
-
-  private readonly tick = (now: number): void => {
-    if (!this.playing || !this.run.trace) return;
-    // After a long frame (a hidden tab) the film goes on; it does not race to catch up.
-    this.due += (Math.min(now - this.last, 250) / 1000) * this.speed();
-    this.last = now;
-    let goal = this.position;
-    const end = this.run.trace.eventCount;
-    while (goal < end) {
-      const cost = weight(this.run.trace.kind(goal));
-      if (this.due < cost) break;
-      this.due -= cost;
-      goal++;
-    }
-    if (goal !== this.position) this.seek(goal);
-    if (goal >= end) {
-      this.due = 0;
-      if (!this.run.busy) {
-        this.playing = false;
-        return;
-      }
-    }
-    this.frame = requestAnimationFrame(this.tick);
-  };
 }

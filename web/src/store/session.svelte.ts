@@ -51,7 +51,9 @@ export async function openExample(
     app.say(answer.defects[0]?.message ?? example.title, 'bad');
     return;
   }
+  app.closeComparison();
   app.open(complexFromJson(answer.complex), example.title, example.options);
+  if (example.compare) await app.compare({ options: example.compare });
   const still = app.settings.reducedMotion || document.visibilityState === 'hidden';
   await app.refine({ play: !still });
   if (first && app.doc.title === example.title)
@@ -84,9 +86,12 @@ function write(app: App): void {
 export function keepSaved(app: App): void {
   let timer: ReturnType<typeof setTimeout> | undefined;
   $effect(() => {
-    void [app.doc.complex, app.doc.title, app.parameters.algorithm, app.parameters.values];
-    void [app.parameters.domain, app.parameters.maxVertices, app.parameters.minEdge];
-    void [app.run.phase, app.settings.color, app.playback.playing];
+    void [app.doc.complex, app.doc.title, app.settings.color];
+    void [app.comparison.pace, app.clock.playing];
+    for (const { parameters, run } of app.panes) {
+      void [parameters.algorithm, parameters.values, parameters.domain];
+      void [parameters.maxVertices, parameters.minEdge, run.phase];
+    }
     clearTimeout(timer);
     timer = setTimeout(() => write(app), 600);
   });

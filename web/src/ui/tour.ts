@@ -4,7 +4,7 @@ import { app } from '../store/app.svelte.ts';
 
 /** A walk along the page in six stops, each about something to do. */
 export function startTour(): void {
-  app.playback.pause();
+  app.clock.pause();
   app.settings.panelOpen = true;
   app.tab = 'why';
   const stop = (element: string, title: string, description: string) => ({

@@ -1,0 +1,29 @@
+import type { CoreClient } from '../core/client.ts';
+import type { Hit, Picture } from '../shared/types.ts';
+import { ParameterStore } from './parameters.svelte.ts';
+import { PlaybackStore } from './playback.svelte.ts';
+import { RunStore } from './run.svelte.ts';
+
+/** One run and how it is watched: its parameters, its playhead, its picture and what is picked in it. The page has one; two while comparing. */
+export class Pane {
+  readonly run: RunStore;
+  readonly playback: PlaybackStore;
+  readonly parameters = new ParameterStore();
+  picked = $state.raw<Hit | null>(null);
+  picture = $state.raw<Picture | null>(null);
+
+  constructor(
+    readonly core: CoreClient,
+    speed: () => number,
+  ) {
+    this.run = new RunStore(core);
+    this.playback = new PlaybackStore(this.run, speed);
+  }
+
+  /** What was computed is no longer about the input. */
+  discard(): void {
+    this.playback.unload();
+    this.run.discard();
+    this.picked = null;
+  }
+}
