@@ -54,13 +54,29 @@ class FeatureSizes {
   /// mfs_i(x): the same for any two features.
   FeatureBall mesh(const Point2& x, int i = 1) const;
 
-  /// The same two from the definition, over all features or all pairs of them: what the fast ones
-  /// are tested against. O(n^2) and O(n).
+  /// lfs_i and mfs_i of a set: the infimum over the piece [a, b], or over a polyline (of one point:
+  /// of the point; of none: infinite). Attained at the center of the ball. Not sampled: the larger
+  /// of the distances to two features is convex along a piece, and is minimized.
+  FeatureBall local(const Point2& a, const Point2& b, int i = 1) const;
+  FeatureBall mesh(const Point2& a, const Point2& b, int i = 1) const;
+  FeatureBall local(const std::vector<Point2>& polyline, int i = 1) const;
+  FeatureBall mesh(const std::vector<Point2>& polyline, int i = 1) const;
+
+  /// fs_i(s) of the subsegment s = [a, b] (Definition 2.1.7): lfs_i(s) for an end segment, that is
+  /// one with an input vertex (bit for bit) as an endpoint, mfs_i(s) for any other.
+  FeatureBall of_subsegment(const Point2& a, const Point2& b, int i = 1) const;
+  bool is_input_vertex(const Point2& x) const;  ///< O(log n)
+
+  /// The same from the definition, over all features or all pairs of them: what the fast ones
+  /// are tested against. O(n^2), but for mfs_i at a point, O(n).
   FeatureBall local_by_brute_force(const Point2& x, int i = 1) const;
   FeatureBall mesh_by_brute_force(const Point2& x, int i = 1) const;
+  FeatureBall local_by_brute_force(const Point2& a, const Point2& b, int i = 1) const;
+  FeatureBall mesh_by_brute_force(const Point2& a, const Point2& b, int i = 1) const;
+
+  struct Table;  ///< of the features; hidden
 
  private:
-  struct Table;
   std::unique_ptr<const Table> table_;
 };
 

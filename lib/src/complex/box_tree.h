@@ -79,9 +79,15 @@ class BoxTree {
   /// the item's box.
   template <class Distance, class Visit>
   void nearest(const Point2& p, Distance distance, Visit visit) const {
+    nearest_by([&](const Box2& box) { return box.distance2(p); }, distance, visit);
+  }
+
+  /// The same for any distance: bound(box) is at most distance(item) for each item in the box.
+  template <class Bound, class Distance, class Visit>
+  void nearest_by(Bound bound, Distance distance, Visit visit) const {
     if (nodes_.empty()) return;
     std::priority_queue<Candidate, std::vector<Candidate>, Later> queue;
-    queue.push({nodes_[0].box.distance2(p), false, 0});
+    queue.push({bound(nodes_[0].box), false, 0});
     while (!queue.empty()) {
       const Candidate c = queue.top();
       queue.pop();
@@ -96,8 +102,8 @@ class BoxTree {
           queue.push({distance(item), true, item});
         }
       } else {
-        queue.push({nodes_[c.index + 1].box.distance2(p), false, c.index + 1});
-        queue.push({nodes_[node.link].box.distance2(p), false, node.link});
+        queue.push({bound(nodes_[c.index + 1].box), false, c.index + 1});
+        queue.push({bound(nodes_[node.link].box), false, node.link});
       }
     }
   }

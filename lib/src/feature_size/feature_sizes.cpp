@@ -1,16 +1,9 @@
-#include <cmath>
 #include <vector>
 
 #include "circumball/feature_size.h"
 #include "feature_size/feature_table.h"
 
 namespace circumball {
-namespace {
-
-/// Whether squares of distances from there are finite: coordinates of features are at most 1e55.
-bool measurable(const Point2& x) { return std::fabs(x.x) <= 1e150 && std::fabs(x.y) <= 1e150; }
-
-}  // namespace
 
 FeatureSizes::FeatureSizes(const Complex& complex, const Filter& filter)
     : table_(std::make_unique<const Table>(complex, filter)) {}
@@ -27,7 +20,7 @@ FeatureBall FeatureSizes::local(const Point2& x, int i) const {
   std::vector<std::uint32_t> nearer;
   FeatureBall result;
   result.center = x;
-  if (!measurable(x)) return result;
+  if (!Table::measurable(x)) return result;
   table.tree(i).nearest(
       x, [&](std::uint32_t f) { return table.distance2(x, items[f]); },
       [&](std::uint32_t f, double d2) {
@@ -59,7 +52,7 @@ FeatureBall FeatureSizes::mesh(const Point2& x, int i) const {
   std::uint32_t first = kNoIndex;
   FeatureBall result;
   result.center = x;
-  if (!measurable(x)) return result;
+  if (!Table::measurable(x)) return result;
   table.tree(i).nearest(
       x, [&](std::uint32_t f) { return table.distance2(x, items[f]); },
       [&](std::uint32_t f, double d2) {
@@ -71,6 +64,20 @@ FeatureBall FeatureSizes::mesh(const Point2& x, int i) const {
         return false;
       });
   return result;
+}
+
+bool FeatureSizes::is_input_vertex(const Point2& x) const {
+  bool found = false;
+  table_->vertex_tree.query([&](const Box2& box) { return box.meets(Box2::of(x)); },
+                            [&](std::uint32_t) {
+                              found = true;
+                              return false;
+                            });
+  return found;
+}
+
+FeatureBall FeatureSizes::of_subsegment(const Point2& a, const Point2& b, int i) const {
+  return is_input_vertex(a) || is_input_vertex(b) ? local(a, b, i) : mesh(a, b, i);
 }
 
 }  // namespace circumball

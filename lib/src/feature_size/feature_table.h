@@ -1,6 +1,7 @@
 #ifndef CIRCUMBALL_FEATURE_SIZE_FEATURE_TABLE_H_
 #define CIRCUMBALL_FEATURE_SIZE_FEATURE_TABLE_H_
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -22,6 +23,10 @@ struct FeatureSizes::Table {
   const std::vector<Item>& items(int i) const { return i == 0 ? vertices : features; }
   const BoxTree& tree(int i) const { return i == 0 ? vertex_tree : feature_tree; }
 
+  /// Whether squares of distances from there are finite: coordinates of features are at most 1e55.
+  static bool measurable(const Point2& x) {
+    return std::fabs(x.x) <= 1e150 && std::fabs(x.y) <= 1e150;
+  }
   static bool disjoint(const Item& f, const Item& g) {
     return f.a != g.a && f.a != g.b && f.b != g.a && f.b != g.b;
   }
