@@ -10,6 +10,7 @@
 #include "algorithms/protect.h"
 #include "algorithms/ruppert.h"
 #include "algorithms/sweeps.h"
+#include "algorithms/terminator.h"
 #include "refinement/loop.h"
 
 namespace circumball {
@@ -27,6 +28,7 @@ Rules bounded(const Settings& settings) {
   rules.tau = settings.tau;
   rules.size = settings.size;
   rules.sizing = settings.sizing;
+  rules.off_centers = settings.off_centers;
   return rules;
 }
 
@@ -54,6 +56,11 @@ std::vector<std::unique_ptr<Stage>> plan(const Settings& settings) {
     steps.push_back(draw_protecting_circles());
     steps.push_back(
         loop("2", "Ruppert's algorithm, outside of the disks", bounded<Intestine>(settings)));
+  } else if (settings.algorithm == "terminator") {
+    steps.push_back(mark_shell_centers());
+    steps.push_back(loop("1", "Split encroached segments, on shells", ConformOnShells{}));
+    steps.push_back(classify_triangles());
+    steps.push_back(loop("2", "Terminator", bounded<Terminator>(settings)));
   } else if (settings.algorithm == "chew") {
     steps.push_back(divide_segments(settings.size));
     steps.push_back(loop("1b", "Recover segments that are no edges", Recover{}));

@@ -19,6 +19,7 @@ struct Settings {
   double size = 0;                       ///< bound on the circumradius; 0: none
   std::shared_ptr<const Sizing> sizing;  ///< the same, where it is not a number
   double protection = 0.45;              ///< distance of the collar, in N(q0)
+  bool off_centers = false;  ///< where triangles are split: off-centers instead of circumcenters
   bool protect_all = false;  ///< at every input vertex, not only at those of acute angles
 };
 

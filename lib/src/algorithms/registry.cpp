@@ -19,6 +19,12 @@ std::vector<AlgorithmInfo> make_registry() {
   const ParameterInfo box{"box-scale", "3", "1.5", "1000",
                           "side of the box of the domain `box`, in sizes of the input"};
 
+  const ParameterInfo steiner{
+      "steiner", "circumcenter", "circumcenter|off-center", "",
+      "where triangles with too large a radius-edge ratio are split: at the circumcenter, or "
+      "nearer "
+      "to the shortest edge, so that the new triangle over it is just good enough (Üngör 2004)"};
+
   AlgorithmInfo delaunay;
   delaunay.id = "delaunay";
   delaunay.title = "Delaunay triangulation";
@@ -46,7 +52,7 @@ std::vector<AlgorithmInfo> make_registry() {
       "A segment is unacceptable if it has a nonempty diametral disk. A triangle $t$ is "
       "unacceptable if $\\mathrm{RE}(t) > \\tau$.";
   ruppert.safety = "It is safe to split any simplex.";
-  ruppert.parameters = {tau, min_angle, size, box};
+  ruppert.parameters = {tau, min_angle, size, steiner, box};
   ruppert.guarantee =
       "For input angles of at least $60^\\circ$ and $\\tau > \\sqrt 2$ it ends; the mesh conforms "
       "to the input, $\\mathrm{RE}(t) \\le \\tau$ for every triangle, it is graded to the local "
@@ -126,6 +132,30 @@ std::vector<AlgorithmInfo> make_registry() {
   intestine.checks = {"topology", "delaunay",  "input-vertices", "input-segments",
                       "area",     "intestine", "max-angle",      "size"};
 
+  AlgorithmInfo terminator = ruppert;
+  terminator.id = "terminator";
+  terminator.title = "Terminator";
+  terminator.thesis = "beyond it: Shewchuk 2000, 2002; Cheng, Dey and Shewchuk 2013, section 6.6";
+  terminator.action =
+      "An end segment at an acute angle is split on the concentric shell about its input vertex, "
+      "of radius $2^k$, nearest to its middle; any other segment at its midpoint. If a triangle's "
+      "circumcenter encroaches upon a segment, the encroached segment is added to the queue. "
+      "Otherwise its circumcenter is inserted.";
+  terminator.safety =
+      "A triangle with $\\mathrm{RE}(t) > \\tau$ is not safe to split if its shortest edge is "
+      "seditious: its ends lie in two input segments that meet at less than $60^\\circ$, equally "
+      "far "
+      "from where they meet.";
+  terminator.guarantee =
+      "Wherever it ends the mesh conforms to the input, and every triangle with $\\mathrm{RE}(t) > "
+      "\\tau$ has a seditious shortest edge. It ends for every complex up to $26.45^\\circ$, or "
+      "$\\tau "
+      "\\ge 1.123$ (Miller, Pav and Walkington 2003 prove it where segments are cut to equal "
+      "shells first; "
+      "tested here).";
+  terminator.checks = {"topology", "delaunay",  "input-vertices", "input-segments",
+                       "area",     "seditious", "radius-edge",    "size"};
+
   AlgorithmInfo chew;
   chew.id = "chew";
   chew.title = "Chew's first algorithm";
@@ -148,7 +178,7 @@ std::vector<AlgorithmInfo> make_registry() {
                  "area",     "size",     "min-angle"};
   chew.default_domain = "closed";
 
-  return {delaunay, ruppert, chew, feature_size, collar, intestine};
+  return {delaunay, ruppert, chew, feature_size, collar, intestine, terminator};
 }
 
 /// Numbers as numbers, all else as text.

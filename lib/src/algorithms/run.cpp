@@ -96,6 +96,7 @@ std::string settle(const Complex& complex, Options* options, Settings* settings)
   settings->algorithm = info->id;
   settings->size = number("size");
   if (values.count("protection")) settings->protection = number("protection");
+  settings->off_centers = values.count("steiner") && values["steiner"] == "off-center";
   settings->protect_all = values.count("protect") && values["protect"] == "all";
   if (options->tau && !(*options->tau >= 0.6 && *options->tau <= 1000)) {
     return "tau must be between 0.6 and 1000";

@@ -48,6 +48,7 @@ struct Ruppert : Conform {
   double tau = 1.4145;                   ///< radius-edge threshold
   double size = 0;                       ///< upper bound on the circumradius; 0: none
   std::shared_ptr<const Sizing> sizing;  ///< the same, as a function of the place; null: none
+  bool off_centers = false;              ///< Üngör's Steiner points instead of circumcenters
 
   /// Priority: segments are processed before triangles (the loop does it); triangles by birth.
   using Triangles = TrianglesByBirth;
@@ -59,6 +60,10 @@ struct Ruppert : Conform {
     if (shape.radius_edge_exceeds(tau)) {
       return {Reason::kRadiusEdge, VertexId(), view.measure([&] { return shape.radius_edge(); })};
     }
+    return too_large(view, t, shape);
+  }
+  /// The bounds on size.
+  Verdict too_large(const View& view, TriangleRef t, const TriangleShape& shape) const {
     if (size > 0 && shape.circumradius() > size) {
       return {Reason::kSize, VertexId(), shape.circumradius()};
     }
@@ -74,7 +79,17 @@ struct Ruppert : Conform {
   using Conform::action;
   /// Action: if a triangle's circumcenter encroaches upon a segment, the encroached segment is
   /// added to the queue. Otherwise its circumcenter is inserted.
+  ///
+  /// With off-centers: where the off-center is nearer to the shortest edge than the circumcenter,
+  /// and encroaches upon nothing, it is inserted; elsewhere all is as before, so that what yields
+  /// and what is refused is still said of circumcenters (Theorem 5.7). It is no nearer than tau
+  /// times the shortest edge to any vertex, like the circumcenter, which is what the proofs ask
+  /// for. Triangles that are only too large get their circumcenters.
   Proposal action(View& view, TriangleRef t) const {
+    if (off_centers && view.shape(t).circumcenter_is_beyond_off_center(tau)) {
+      const Point2 o = view.off_center(t, tau);
+      if (view.look_exactly(o, t) == Outlook::kFree) return insert(o, Reason::kOffCenter);
+    }
     Point2 c = view.circumcenter(t);
     switch (view.look(c, t)) {
       case Outlook::kFree:

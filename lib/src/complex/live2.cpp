@@ -104,6 +104,7 @@ std::array<SubsegmentId, 2> Live2::split(SubsegmentId s, VertexId m) {
   const SubsegmentId left(subsegment_count()), right(subsegment_count() + 1);
   subsegments_.push_back(first);  // `old` dangles from here on
   subsegments_.push_back(second);
+  if (shells_.on() && !first.is_arc()) shells_.split(first.a, second.b, first.segment, m);
   if (!incident_.empty()) {
     auto& at_a = incident_[first.a.value];
     auto& at_b = incident_[second.b.value];

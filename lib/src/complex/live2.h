@@ -8,6 +8,7 @@
 
 #include "circumball/complex.h"
 #include "circumball/mesh.h"
+#include "complex/shells.h"
 #include "delaunay/delaunay2.h"
 
 namespace circumball {
@@ -81,6 +82,10 @@ class Live2 {
   /// memory).
   void track_incidence();
   const std::vector<SubsegmentId>& subsegments_at(VertexId v) const { return incident_[v.value]; }
+  /// Concentric shells about the input vertices that are marked, from now on; before the first
+  /// split.
+  void track_shells(std::vector<bool> centers) { shells_.track(*complex_, std::move(centers)); }
+  const Shells& shells() const { return shells_; }
   /// Whether h is an edge on an input segment: what keeps labels apart.
   bool on_segment(HalfEdge h) const {
     const std::uint32_t tag = triangulation_.tag(h);
@@ -145,6 +150,7 @@ class Live2 {
   std::vector<Feature> features_;
   std::vector<Subsegment> subsegments_;
   std::vector<double> protection_;  // by input vertex; empty if none is protected
+  Shells shells_;
   bool classified_ = false;
   std::vector<std::vector<SubsegmentId>> incident_;  // by vertex; empty if not tracked
   bool tracking_ = false;

@@ -64,6 +64,12 @@ struct TriangleShape {
     const double bound = tau * area4;
     return area4 <= 0 || middle2 * longest2 > bound * bound;
   }
+  /// Whether the circumcenter is farther from the shortest edge than the off-center is: where
+  /// sqrt(RE^2 - 1/4) > tau + sqrt(tau^2 - 1/4).
+  bool circumcenter_is_beyond_off_center(double tau) const {
+    const double h = tau + std::sqrt(tau * tau - 0.25);
+    return radius_edge_exceeds(std::sqrt(h * h + 0.25));
+  }
   double radius_edge() const {
     return area4 > 0 ? std::sqrt(middle2) / area4 * std::sqrt(longest2) : HUGE_VAL;
   }
@@ -103,6 +109,18 @@ inline Point2 circumcenter(const Point2& a, const Point2& b, const Point2& c) {
   const double b2 = bx * bx + by * by, c2 = cx * cx + cy * cy;
   const double d = 0.5 / (bx * cy - by * cx);
   return {a.x + (cy * b2 - by * c2) * d, a.y + (bx * c2 - cx * b2) * d};
+}
+
+/// Off-center of a triangle over its shortest edge pq, the third vertex on the left of it (A.
+/// Üngör, Off-centers: a new type of Steiner points, 2004): on the bisector of pq, so far that the
+/// new triangle over pq has a radius-edge ratio of just tau. Its height is |pq| (tau + sqrt(tau^2 -
+/// 1/4)): the circumcenter of that triangle, and its circumradius above. A little lower, by the
+/// slack, so that rounding does not make it a bad triangle. Needs tau > 1/2. Relative error about
+/// 1e-16, however thin the triangle.
+inline Point2 off_center(const Point2& p, const Point2& q, double tau) {
+  const double h = (tau + std::sqrt(tau * tau - 0.25)) / kLengthSlack;  // in |pq|
+  const double dx = q.x - p.x, dy = q.y - p.y;
+  return {0.5 * (p.x + q.x) - h * dy, 0.5 * (p.y + q.y) + h * dx};
 }
 
 /// The same in double-double arithmetic: relative error about 1e-31 times that ratio squared. Not

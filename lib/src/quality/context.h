@@ -136,6 +136,7 @@ Check check_min_angle(const VerifyContext& context);
 Check check_size(const VerifyContext& context);
 Check check_nearest_neighbor(const VerifyContext& context);
 Check check_nearest_neighbor_lower(const VerifyContext& context);
+Check check_seditious(const VerifyContext& context);
 Check check_collar(const VerifyContext& context);
 
 }  // namespace circumball

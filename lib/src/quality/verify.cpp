@@ -30,6 +30,7 @@ constexpr Entry kChecks[] = {
     {"size", check_size, has_size},
     {"nearest-neighbor", check_nearest_neighbor, asked_only},
     {"nearest-neighbor-lower", check_nearest_neighbor_lower, asked_only},
+    {"seditious", check_seditious, asked_only},
     {"collar", check_collar, asked_only},
 };
 
@@ -43,9 +44,9 @@ std::vector<Check> verify(const Mesh& mesh, const Complex& complex, const Verify
     const bool wanted =
         options.checks.empty() ? entry.applies(options) : named != options.checks.end();
     // A bound that nobody gave cannot be checked, named or not.
-    if (!wanted ||
-        ((entry.run == check_radius_edge || entry.run == check_collar) && !options.tau) ||
-        (entry.run == check_size && !options.size))
+    const bool needs_tau =
+        entry.run == check_radius_edge || entry.run == check_collar || entry.run == check_seditious;
+    if (!wanted || (needs_tau && !options.tau) || (entry.run == check_size && !options.size))
       continue;
     checks.push_back(entry.run(context));
   }

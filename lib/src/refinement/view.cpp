@@ -23,6 +23,65 @@ Point2 View::outward(const Point2& p, SubsegmentId s) const {
   return q;
 }
 
+Point2 View::shell_point(SubsegmentId s, const Shells::Shell& shell) const {
+  const Subsegment& u = live_.subsegment(s);
+  const Point2 a = dt_.point(shell.center), b = dt_.point(shell.center == u.a ? u.b : u.a);
+  const double t = shell.radius / shell.length;
+  return outward({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}, s);
+}
+
+Point2 View::off_center(TriangleRef t, double tau) const {
+  const auto& v = dt_.triangle(t.id).v;
+  unsigned shortest = 0;
+  double shortest2 = HUGE_VAL;
+  for (unsigned i = 0; i < 3; ++i) {
+    const double length2 = squared_distance(dt_.point(v[(i + 1) % 3]), dt_.point(v[(i + 2) % 3]));
+    if (length2 < shortest2) {
+      shortest = i;
+      shortest2 = length2;
+    }
+  }
+  return circumball::off_center(dt_.point(v[(shortest + 1) % 3]), dt_.point(v[(shortest + 2) % 3]),
+                                tau);
+}
+
+bool View::shortest_edge_is_seditious(TriangleRef t) const {
+  const auto& v = dt_.triangle(t.id).v;
+  double length2[3];
+  for (unsigned i = 0; i < 3; ++i) {
+    length2[i] = squared_distance(dt_.point(v[(i + 1) % 3]), dt_.point(v[(i + 2) % 3]));
+  }
+  const double shortest2 = std::min({length2[0], length2[1], length2[2]});
+  for (unsigned i = 0; i < 3; ++i) {
+    // Ties are the norm between shells: any of the shortest counts.
+    if (length2[i] > kLengthSlack * kLengthSlack * shortest2) continue;
+    if (is_seditious(v[(i + 1) % 3], v[(i + 2) % 3])) return true;
+  }
+  return false;
+}
+
+bool View::is_seditious(VertexId u, VertexId v) const {
+  const Feature &f = live_.feature(u), &g = live_.feature(v);
+  if (f.kind != FeatureKind::kSegment || g.kind != FeatureKind::kSegment) return false;
+  const auto& segments = live_.complex().segments;
+  const auto &s = segments[f.index], &r = segments[g.index];
+  const Shells::Position p = live_.shells().position(u, SegmentId(f.index));
+  const Shells::Position q = live_.shells().position(v, SegmentId(g.index));
+  for (unsigned i = 0; i < 2; ++i) {
+    for (unsigned j = 0; j < 2; ++j) {
+      if (s[i] != r[j] || s[1 - i] == r[1 - j]) continue;
+      const double d = i == 0 ? p.from_first : p.from_second;
+      const double e = j == 0 ? q.from_first : q.from_second;
+      if (d > kLengthSlack * e || e > kLengthSlack * d) continue;
+      const Point2 w = dt_.point(VertexId(s[i]));
+      const Point2 a = dt_.point(VertexId(s[1 - i])), b = dt_.point(VertexId(r[1 - j]));
+      const double dot = (a.x - w.x) * (b.x - w.x) + (a.y - w.y) * (b.y - w.y);
+      return 2 * dot > kLengthSlack * (distance(w, a) * distance(w, b));  // below 60 degrees
+    }
+  }
+  return false;
+}
+
 double View::shortest2_of_spindle(SubsegmentId s) const {
   double shortest2 = squared_length(s);
   const Subsegment& u = live_.subsegment(s);
@@ -89,6 +148,18 @@ Outlook View::look(Point2& c, TriangleRef t) {
     if (dt_.probe(c, t.id) == Delaunay2::Probe::kDuplicate) return Outlook::kCoincides;
     if (!cavity_holds(t.id)) return Outlook::kCoincides;
   }
+  return outlook(c);
+}
+
+Outlook View::look_exactly(const Point2& p, TriangleRef t) {
+  encroached_.clear();
+  if (!std::isfinite(p.x) || !std::isfinite(p.y)) return Outlook::kCoincides;
+  if (dt_.probe(p, t.id) == Delaunay2::Probe::kDuplicate) return Outlook::kCoincides;
+  return cavity_holds(t.id) ? outlook(p) : Outlook::kCoincides;
+}
+
+/// Of the point just probed.
+Outlook View::outlook(const Point2& c) {
   // An edge whose open diametral disk holds c lies inside the cavity of c or on its boundary.
   for (const HalfEdge h : dt_.cavity_boundary()) {
     const std::uint32_t tag = dt_.tag(h);

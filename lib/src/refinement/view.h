@@ -2,6 +2,7 @@
 #define CIRCUMBALL_REFINEMENT_VIEW_H_
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "circumball/predicates.h"
@@ -68,6 +69,13 @@ class View {
     }
     return outward(circumball::midpoint(dt_.point(u.a), dt_.point(u.b)), s);
   }
+  /// Concentric shells: where s is split, if it is an end segment at a center of them.
+  std::optional<Shells::Shell> shell_of(SubsegmentId s) const {
+    const Subsegment& u = live_.subsegment(s);
+    return live_.shells().shell_of(u.a, u.b, u.segment);
+  }
+  /// Where s crosses it: rounded within a few ulp of the larger end.
+  Point2 shell_point(SubsegmentId s, const Shells::Shell& shell) const;
   /// p, a rounded point of s. Where s is an edge of the convex hull and rounding put p inside, the
   /// next point that is not: else the edge would stay in the triangulation, under a flat triangle.
   /// At most one ulp a coordinate.
@@ -126,6 +134,11 @@ class View {
     const auto& v = dt_.triangle(t.id).v;
     return circumball::circumcenter(dt_.point(v[0]), dt_.point(v[1]), dt_.point(v[2]));
   }
+  /// Off-center of t (see `off_center`) over its shortest edge, the first of them.
+  Point2 off_center(TriangleRef t, double tau) const;
+  /// Whether a shortest edge of t is seditious (Shewchuk): its ends are vertices in two input
+  /// segments that meet at less than 60 degrees, equally far from where they meet. Needs shells.
+  bool shortest_edge_is_seditious(TriangleRef t) const;
   /// A measure that only a trace shows: not computed if nobody records.
   template <class Measure>
   double measure(Measure m) const {
@@ -141,6 +154,9 @@ class View {
   /// Looks at c before leaping: c is the point that splits t, in its circumdisk. Finds the cavity
   /// of c.
   Outlook look(Point2& c, TriangleRef t);
+  /// The same for a point of the circumdisk of t that is known well: kCoincides where rounding put
+  /// it outside.
+  Outlook look_exactly(const Point2& p, TriangleRef t);
   /// Looks at the midpoint of s.
   Outlook look_at_midpoint(const Point2& m, SubsegmentId s);
   /// The subsegments that the last look found encroached.
@@ -173,6 +189,8 @@ class View {
   double insertion_radius(const Point2& p) const;
 
  private:
+  Outlook outlook(const Point2& p);
+  bool is_seditious(VertexId u, VertexId v) const;
   VertexId encroaching_apex(SubsegmentId s, HalfEdge h) const {
     const VertexId p = dt_.apex(h);
     if (p == Delaunay2::kGhost) return VertexId();

@@ -15,6 +15,7 @@ namespace {
 // excuse nothing.
 bool rightly_refused(const Unresolved& simplex, Status status) {
   if (simplex.reason == name(Reason::kProtected)) return true;
+  if (simplex.reason == name(Reason::kSeditious)) return true;
   if (simplex.reason == name(Reason::kOutsideDomain)) return true;
   return simplex.reason == name(Reason::kFrozen) && status == Status::kComplete;
 }
