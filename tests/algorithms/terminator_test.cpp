@@ -1,7 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <set>
 
 #include "circumball/report.h"
 #include "circumball/verify.h"
@@ -122,6 +123,35 @@ TEST(Terminator, EndsOnStarsAndCombsWithNeedles) {
       expect_promises(comb(6, angle), terminator(20.7, off_centers),
                       "comb of " + std::to_string(angle));
     }
+  }
+}
+
+/// All edges of the Delaunay triangulation of random points as segments: acute angles at both ends
+/// of nearly every segment, and shells about all vertices.
+Complex all_edges(Random* random, std::uint32_t count, double flatten) {
+  Complex points;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    points.vertices.push_back({random->unit(), flatten * random->unit(), 0});
+  }
+  const Mesh mesh = finish(points, options_of("delaunay"))->mesh();
+  std::set<std::array<std::uint32_t, 2>> edges;
+  for (std::size_t i = 0; i < mesh.cell_count(); ++i) {
+    const std::uint32_t* v = mesh.cell(i);
+    for (unsigned j = 0; j < 3; ++j) {
+      edges.insert({std::min(v[j], v[(j + 1) % 3]), std::max(v[j], v[(j + 1) % 3])});
+    }
+  }
+  points.segments.assign(edges.begin(), edges.end());
+  return points;
+}
+
+TEST(Terminator, EndsWhereSegmentsHaveShellsAtBothEnds) {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    Random random(seed);
+    const double flatten = seed % 3 == 0 ? 0.01 : seed % 3 == 1 ? 0.2 : 1;
+    const double asked = seed % 2 ? 26.45 : 20.7;
+    expect_promises(all_edges(&random, 5 + random.below(25), flatten),
+                    terminator(asked, seed % 4 < 2), "seed " + std::to_string(seed));
   }
 }
 
