@@ -24,6 +24,12 @@ export const theme: PictureTheme = {
   snap: '#cc00aa',
   defect: '#cc0000',
   warning: '#bb7700',
+  featureSize: '#8a7401',
+  neighbor: '#0072b3',
+  spindle: '#b36b01',
+  collar: '#b04780',
+  intestine: '#00808b',
+  ancestry: '#6a3d9b',
 };
 
 /** The unit square cut into n by n squares of two triangles each; its four sides are the subsegments. */

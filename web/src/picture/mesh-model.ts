@@ -5,6 +5,7 @@
  */
 
 import { type Bounds, type MeshState, NEVER } from '../shared/types';
+import { MeshIndex } from './mesh-index';
 
 /** A dense table of live numbers, and where each number sits. */
 export class SlotTable {
@@ -107,6 +108,7 @@ export class MeshModel {
   readonly triangleSlots = new SlotTable();
   readonly subsegmentSlots = new SlotTable();
   position = 0;
+  revision = 0; // how often it took over a state
   vertexCount = 0;
   coordinates = new Float64Array(0);
   vertexKind = new Uint8Array(0);
@@ -120,6 +122,8 @@ export class MeshModel {
   /** By slot: ends and input segment. */
   subsegments = new Uint32Array(0);
   bounds: Bounds | null = null;
+  /** Finds what lies where; brought up to date when it is asked. */
+  readonly index = new MeshIndex(this);
 
   get triangleCount(): number {
     return this.triangleSlots.count;
@@ -131,8 +135,10 @@ export class MeshModel {
 
   /** Takes over a state. O(live); allocates only to grow. */
   sync(state: MeshState): MeshDifference {
+    ++this.revision;
     const restarted = this.isAnotherRun(state);
     if (restarted) {
+      this.index.clear();
       this.triangleSlots.clear();
       this.subsegmentSlots.clear();
       this.vertexCount = 0;
@@ -151,6 +157,7 @@ export class MeshModel {
         this.labels[slot] = state.triangleLabel[number]!;
         this.born[slot] = state.triangleBorn[number]!;
         triangleSlots.push(slot);
+        this.index.touchTriangle(slot);
       },
     );
     const before = this.subsegmentSlots.count;
@@ -164,6 +171,7 @@ export class MeshModel {
         for (let k = 0; k < 3; ++k) {
           this.subsegments[3 * slot + k] = state.subsegments[3 * number + k]!;
         }
+        this.index.touchSubsegment(slot);
         changed = true;
       },
     );

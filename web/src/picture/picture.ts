@@ -1,6 +1,7 @@
 /** The picture on a canvas: three.js draws the scene when something changed, and only then. */
 
 import { OrthographicCamera, Scene as ThreeScene, WebGLRenderer } from 'three';
+import type { OverlayFacts } from '../shared/overlay-facts';
 import type {
   Background,
   Bounds,
@@ -24,6 +25,7 @@ import type {
 } from '../shared/types';
 import { parseColor } from './color';
 import { type Glyphs, makeGlyphs } from './gpu/glyphs';
+import { ImageLayer } from './gpu/image';
 import { Layer } from './gpu/layer';
 import { MeshLayer } from './gpu/mesh-layer';
 import { makeViewUniforms, setView } from './gpu/uniforms';
@@ -71,11 +73,13 @@ export class CanvasPicture implements Picture {
   private readonly meshLayer: MeshLayer;
   private readonly layers: {
     background: Layer;
+    field: Layer;
     under: Layer;
     features: Layer;
     motion: Layer;
     top: Layer;
   };
+  private readonly image: ImageLayer;
   private readonly listeners = new Set<(view: View) => void>();
   private view: View = { x: 0, y: 0, scale: 100 };
   private size: Size = { width: 1, height: 1 };
@@ -87,6 +91,7 @@ export class CanvasPicture implements Picture {
   private motion: { motion: Motion; start: number } | null = null;
   private meshTouched = false;
   private detail = 1;
+  private drawnScale = 0;
   private frame = 0;
   private disposed = false;
 
@@ -110,11 +115,13 @@ export class CanvasPicture implements Picture {
     const add = (order: number) => new Layer(this.three, this.uniforms, this.glyphs, order);
     this.layers = {
       background: add(0),
+      field: add(13),
       under: add(20),
       motion: add(30),
       features: add(40),
       top: add(60),
     };
+    this.image = new ImageLayer(this.three, this.uniforms, 12);
     this.meshLayer = new MeshLayer(this.three, this.uniforms, this.scene.model, 10, 50);
     this.three.matrixWorldAutoUpdate = false;
     canvas.addEventListener('webglcontextrestored', this.onRestored);
@@ -186,6 +193,11 @@ export class CanvasPicture implements Picture {
     if (before.outside !== overlays.outside || before.highlight !== overlays.highlight) {
       this.touch('triangles');
     }
+    this.touch('middle', 'top');
+  }
+
+  setFacts(facts: OverlayFacts): void {
+    this.scene.facts = facts;
     this.touch('middle', 'top');
   }
 
@@ -297,6 +309,7 @@ export class CanvasPicture implements Picture {
     cancelAnimationFrame(this.frame);
     this.canvas.removeEventListener('webglcontextrestored', this.onRestored);
     for (const layer of Object.values(this.layers)) layer.dispose();
+    this.image.dispose();
     this.meshLayer.dispose();
     this.glyphs.texture.dispose();
     this.renderer.dispose();
@@ -361,8 +374,14 @@ export class CanvasPicture implements Picture {
     this.prepareMesh();
     layers.background.set(scene.background(view, size), window, view.scale);
     const detail = scene.detail(view);
-    const circles = scene.overlays.circumcircles || scene.overlays.diametral;
-    if (stale.middle || detail !== this.detail || circles) {
+    const { circumcircles, diametral, neighbors, intestines } = scene.overlays;
+    const followsView = circumcircles || diametral || neighbors || intestines;
+    this.image.set(scene.image(), window);
+    if (stale.middle || view.scale !== this.drawnScale) {
+      layers.field.set(scene.field(view), window, view.scale);
+      this.drawnScale = view.scale;
+    }
+    if (stale.middle || detail !== this.detail || followsView) {
       const { under, features } = scene.middle(view, size);
       layers.under.set(under, window, view.scale);
       layers.features.set(features, window, view.scale);

@@ -3,7 +3,9 @@
  * the SVG both draw from here, so they cannot differ.
  */
 
+import { noFacts, type OverlayFacts } from '../shared/overlay-facts';
 import type {
+  Bounds,
   Complex2,
   DefectMark,
   Hit,
@@ -21,10 +23,21 @@ import type {
 import { emptyComplex, Label, VertexKind } from '../shared/types';
 import { mix } from './color';
 import { Coloring } from './coloring';
+import { fieldPixels } from './field';
 import { type Items, noItems } from './items';
 import { complexItems, defectItems, segmentWidth } from './layers/complex-layer';
 import { gridItems, scaleBarItems } from './layers/grid-layer';
 import { momentOver, momentUnder, type StarShape, starShape } from './layers/moment-layer';
+import {
+  ancestryItems,
+  ballItems,
+  collarItems,
+  fieldItems,
+  intestineItems,
+  neighborItems,
+  type OverlayLook,
+  spindleItems,
+} from './layers/overlay-layer';
 import { sketchItems } from './layers/sketch-layer';
 import { measureTriangle } from './measures';
 import { MeshModel } from './mesh-model';
@@ -33,6 +46,13 @@ import { noInsets, type Size, toScreen, visibleBounds } from './view';
 /** Circles of all triangles or subsegments are drawn while so few are in sight. */
 const mostCircles = 1500;
 const mostLabels = 600;
+
+interface DiametralDisk {
+  readonly center: Point;
+  readonly radius: number;
+  readonly ofBox: boolean;
+  readonly encroaching: number; // a vertex inside, or -1
+}
 
 export class Scene {
   readonly model = new MeshModel();
@@ -53,10 +73,19 @@ export class Scene {
     vertices: true,
     circumcircles: false,
     diametral: false,
+    featureSize: false,
+    neighbors: false,
+    spindles: false,
+    collars: false,
+    intestines: false,
+    ancestry: true,
     labels: false,
     grid: true,
     highlight: null,
   };
+  facts: OverlayFacts = noFacts;
+  private fieldImage: { key: unknown[]; pixels: Uint8Array } | null = null;
+  private disks: { key: unknown[]; disks: readonly DiametralDisk[] } | null = null;
   private changeShape: { change: MeshChange; star: StarShape } | null = null;
 
   constructor(theme: PictureTheme) {
@@ -142,12 +171,66 @@ export class Scene {
     return this.overlays.grid ? gridItems(view, size, this.theme) : noItems();
   }
 
+  /** The tint of lfs, laid over the triangles; the same array as long as nothing of it changed. */
+  image(): { pixels: Uint8Array; width: number; height: number; bounds: Bounds } | null {
+    const { field } = this.facts;
+    if (!field || !this.overlays.featureSize) return null;
+    const key = [field, this.theme.featureSize];
+    if (!this.fieldImage?.key.every((k, i) => k === key[i])) {
+      this.fieldImage = { key, pixels: fieldPixels(field, this.theme.featureSize) };
+    }
+    // Points of the lattice are centers of texels.
+    const minX = field.x - field.step / 2;
+    const minY = field.y - field.step / 2;
+    return {
+      pixels: this.fieldImage!.pixels,
+      width: field.columns,
+      height: field.rows,
+      bounds: {
+        minX,
+        minY,
+        maxX: minX + field.columns * field.step,
+        maxY: minY + field.rows * field.step,
+      },
+    };
+  }
+
+  /** Right over the triangles, below all that stands out: contours of lfs. */
+  field(view: View): Items {
+    const { field } = this.facts;
+    return field && this.overlays.featureSize ? fieldItems(field, this.look(view)) : noItems();
+  }
+
+  private look(view: View): OverlayLook {
+    return { theme: this.theme, pixel: 1 / view.scale, place: (v) => this.vertex(v) };
+  }
+
+  /** What the overlays lay below and above the input's features. */
+  private overlayItems(view: View): { under: Items; over: Items } {
+    const { facts, overlays } = this;
+    const look = this.look(view);
+    const under = noItems();
+    const over = noItems();
+    const add = (items: { under: Items; over: Items }) => {
+      append(under, items.under);
+      append(over, items.over);
+    };
+    if (overlays.intestines && this.meshed) append(under, intestineItems(facts.intestines, look));
+    if (overlays.collars && this.meshed) append(under, collarItems(facts.collars, look));
+    if (overlays.neighbors && this.meshed) add(neighborItems(facts.neighbors, look));
+    if (overlays.spindles && this.meshed && facts.spindle) add(spindleItems(facts.spindle, look));
+    if (overlays.ancestry && this.meshed) append(over, ancestryItems(facts.ancestry, look));
+    if (overlays.featureSize && facts.ball) add(ballItems(facts.ball, look));
+    return { under, over };
+  }
+
   /** Over the triangles: circles, the simplex in hand, subsegments, the input. */
   middle(view: View, size: Size): { under: Items; features: Items } {
     const under =
       this.moment && this.meshed
         ? momentUnder(this.moment, this.star, { vertex: (v) => this.vertex(v) }, this.theme)
         : noItems();
+    append(under, this.overlayItems(view).under);
     if (this.meshed) this.addCircles(under, view, size);
     const features = complexItems(this.complex, this.selection, {
       theme: this.theme,
@@ -164,6 +247,8 @@ export class Scene {
       this.moment && this.meshed
         ? momentOver(this.moment, { vertex: (v) => this.vertex(v) }, this.theme)
         : noItems();
+    append(items, this.overlayItems(view).over);
+    if (this.meshed && this.overlays.diametral) this.addEncroaching(items, view, size);
     this.addPicked(items);
     append(items, defectItems(this.complex, this.defects, this.theme));
     if (this.overlays.labels) this.addLabels(items, view, size);
@@ -212,25 +297,53 @@ export class Scene {
       }
     }
     if (this.overlays.diametral) {
-      let left = mostCircles;
-      for (let s = 0; s < model.subsegmentCount && left > 0; ++s) {
-        const a = this.place(model.subsegments[3 * s]!);
-        const b = this.place(model.subsegments[3 * s + 1]!);
-        const center: Point = [a[0] + (b[0] - a[0]) / 2, a[1] + (b[1] - a[1]) / 2];
-        const radius = Math.hypot(b[0] - a[0], b[1] - a[1]) / 2;
-        const ofBox = model.subsegments[3 * s + 2] === 0xffffffff;
-        if (!overlaps(center, radius, seen)) continue;
-        --left;
+      for (const { center, radius, ofBox, encroaching } of this.diametralDisks(view, size)) {
+        const color = encroaching < 0 ? theme.steinerSegment : theme.witness;
         items.disks.push({
           center,
           radius,
-          stroke: theme.steinerSegment,
-          width: 1.1,
-          opacity: ofBox ? 0.3 : 0.8,
-          fill: theme.steinerSegment,
+          stroke: color,
+          width: encroaching < 0 ? 1.1 : 1.8,
+          dash: encroaching < 0 ? 'solid' : 'dashed',
+          opacity: ofBox && encroaching < 0 ? 0.3 : 0.8,
+          fill: color,
           fillOpacity: ofBox ? 0 : 0.07,
         });
       }
+    }
+  }
+
+  /** Found once for a moment and a view. */
+  private diametralDisks(view: View, size: Size): readonly DiametralDisk[] {
+    const { model } = this;
+    const key = [model.revision, view, size];
+    if (this.disks?.key.every((k, i) => k === key[i])) return this.disks.disks;
+    const seen = visibleBounds(view, size, 20);
+    const disks: DiametralDisk[] = [];
+    for (let s = 0; s < model.subsegmentCount && disks.length < mostCircles; ++s) {
+      const v = model.subsegments[3 * s]!;
+      const w = model.subsegments[3 * s + 1]!;
+      if (!model.vertexAlive[v] || !model.vertexAlive[w]) continue;
+      const a = this.place(v);
+      const b = this.place(w);
+      const center: Point = [a[0] + (b[0] - a[0]) / 2, a[1] + (b[1] - a[1]) / 2];
+      const radius = Math.hypot(b[0] - a[0], b[1] - a[1]) / 2;
+      if (!overlaps(center, radius, seen)) continue;
+      const ofBox = model.subsegments[3 * s + 2] === 0xffffffff;
+      disks.push({ center, radius, ofBox, encroaching: model.index.encroaching(v, w) });
+    }
+    this.disks = { key, disks };
+    return disks;
+  }
+
+  /** The vertex inside an encroached disk, ringed and joined to its center. */
+  private addEncroaching(items: Items, view: View, size: Size): void {
+    const { theme } = this;
+    for (const { center, encroaching } of this.diametralDisks(view, size)) {
+      if (encroaching < 0) continue;
+      const at = this.place(encroaching);
+      items.lines.push({ a: at, b: center, color: theme.witness, width: 1.8, dash: 'dotted' });
+      items.marks.push({ at, shape: 'disc', size: 14, stroke: theme.witness, width: 2 });
     }
   }
 
@@ -301,11 +414,14 @@ export class Scene {
 }
 
 function append(items: Items, more: Items): void {
-  items.polygons.push(...more.polygons);
-  items.disks.push(...more.disks);
-  items.lines.push(...more.lines);
-  items.marks.push(...more.marks);
-  items.texts.push(...more.texts);
+  const add = <T>(to: T[], from: readonly T[]) => {
+    for (const item of from) to.push(item);
+  };
+  add(items.polygons, more.polygons);
+  add(items.disks, more.disks);
+  add(items.lines, more.lines);
+  add(items.marks, more.marks);
+  add(items.texts, more.texts);
 }
 
 function overlaps(

@@ -12,6 +12,7 @@ import {
   type TextItem,
 } from './items';
 import { vertexMark } from './marks';
+import { pngBytes, toBase64 } from './png-bytes';
 import type { Scene } from './scene';
 import { type Size, toScreen, visibleBounds } from './view';
 
@@ -37,6 +38,8 @@ export function sceneToSvg(
   };
   group('grid', scene.background(view, size));
   if (scene.meshed && scene.overlays.mesh) parts.push(meshToSvg(scene, paper, view, size));
+  parts.push(imageToSvg(scene, view, size));
+  group('field', scene.field(view));
   const { under, features } = scene.middle(view, size);
   group('moment', under);
   group('features', features);
@@ -62,7 +65,7 @@ export function sceneToSvg(
     `<svg xmlns="http://www.w3.org/2000/svg" width="${number(centimeters)}cm" height="${number(height)}cm" ` +
     `viewBox="0 0 ${number(size.width)} ${number(size.height)}">\n` +
     (background === 'transparent' ? '' : `<rect width="100%" height="100%" fill="${paint}"/>\n`) +
-    `${parts.join('\n')}\n</svg>\n`
+    `${parts.filter(Boolean).join('\n')}\n</svg>\n`
   );
 }
 
@@ -108,6 +111,20 @@ function meshToSvg(scene: Scene, paper: Paper, view: View, size: Size): string {
       ? `<path d="${d}" fill="none" stroke="${color}" stroke-width="1" stroke-linecap="round"/>\n`
       : '';
   return `<g id="mesh">\n${fills.join('')}${path(lines.outside, theme.inkFaint)}${path(lines.inside, theme.edge)}</g>`;
+}
+
+/** The tint of lfs, as an image inside: a field has no outlines. */
+function imageToSvg(scene: Scene, view: View, size: Size): string {
+  const image = scene.image();
+  if (!image) return '';
+  const { minX, minY, maxX, maxY } = image.bounds;
+  const [x, y] = toScreen(view, size, [minX, maxY]);
+  const bytes = pngBytes(image.pixels, image.width, image.height);
+  return (
+    `<image x="${number(x)}" y="${number(y)}" width="${number((maxX - minX) * view.scale)}" ` +
+    `height="${number((maxY - minY) * view.scale)}" preserveAspectRatio="none" ` +
+    `href="data:image/png;base64,${toBase64(bytes)}"/>`
+  );
 }
 
 class Paper {

@@ -87,6 +87,9 @@ export class Trace {
   step(i: number): number {
     return this.bytes[i * EVENT_BYTES + 3]!;
   }
+  reason(i: number): number {
+    return this.bytes[i * EVENT_BYTES + 2]!;
+  }
 
   event(index: number): TraceEvent {
     const byte = index * EVENT_BYTES;

@@ -37,6 +37,12 @@ const light: Omit<PictureTheme, 'reducedMotion'> = {
   snap: okabeIto.green,
   defect: okabeIto.vermillion,
   warning: okabeIto.orange,
+  featureSize: '#8a7400', // yellow, darkened until it can be read
+  neighbor: okabeIto.blue,
+  spindle: '#b36b00',
+  collar: '#b0477f',
+  intestine: '#00808a',
+  ancestry: '#6a3d9a',
 };
 
 const dark: Omit<PictureTheme, 'reducedMotion'> = {
@@ -62,6 +68,12 @@ const dark: Omit<PictureTheme, 'reducedMotion'> = {
   snap: '#2ec99b',
   defect: '#ff8a4c',
   warning: okabeIto.yellow,
+  featureSize: okabeIto.yellow,
+  neighbor: okabeIto.sky,
+  spindle: '#f0b04a',
+  collar: '#e88fbe',
+  intestine: '#3fc9d3',
+  ancestry: '#c9a6f0',
 };
 
 export function pictureTheme(isDark: boolean, reducedMotion: boolean): PictureTheme {

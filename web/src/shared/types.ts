@@ -7,6 +7,8 @@
  *   subsegment number  order of birth, the input's segments first
  */
 
+import type { OverlayFacts } from './overlay-facts';
+
 export type Point = readonly [number, number];
 
 // ---------------------------------------------------------------------------------------------- the document
@@ -144,7 +146,13 @@ export interface Overlays {
   readonly outside: boolean; // triangles outside the domain, faint
   readonly vertices: boolean; // Steiner vertices by kind
   readonly circumcircles: boolean; // of all triangles (few only)
-  readonly diametral: boolean; // diametral disks of all subsegments (encroachment)
+  readonly diametral: boolean; // diametral disks of all subsegments; encroached ones with their vertex
+  readonly featureSize: boolean; // lfs as a field over the plane, and the ball at the point that was asked for
+  readonly neighbors: boolean; // N against lfs at each input vertex
+  readonly spindles: boolean; // Spind(s) of the picked or acting subsegment
+  readonly collars: boolean; // collar simplices with their diametral disks
+  readonly intestines: boolean; // protecting disks and their arcs
+  readonly ancestry: boolean; // parents of the picked vertex, back to the input
   readonly labels: boolean; // vertex numbers where there is room
   readonly grid: boolean;
   readonly highlight: ReadonlySet<number> | null; // triangles to stress (a bin of the histogram), by number
@@ -174,6 +182,12 @@ export interface PictureTheme {
   readonly snap: string;
   readonly defect: string;
   readonly warning: string;
+  readonly featureSize: string; // lfs: field, contours, ball
+  readonly neighbor: string; // N at an input vertex
+  readonly spindle: string;
+  readonly collar: string;
+  readonly intestine: string;
+  readonly ancestry: string;
 }
 
 export interface View {
@@ -230,6 +244,8 @@ export interface Picture {
   setSketch(sketch: Sketch | null): void;
   setColorMode(mode: ColorMode): ColorScale | null;
   setOverlays(overlays: Overlays): void;
+  /** What the overlays show beyond the mesh; drawn as far as `setOverlays` switches it on. */
+  setFacts(facts: OverlayFacts): void;
   setTheme(theme: PictureTheme): void;
   /** A mesh vertex, subsegment or triangle picked for the inspector: outlined. */
   setPicked(hit: Hit | null): void;

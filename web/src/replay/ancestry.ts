@@ -1,0 +1,156 @@
+import type { AncestryLink } from '../shared/overlay-facts.ts';
+import { Kind, NONE, Reason, type TraceEvent } from './event.ts';
+import { distance, point } from './geometry.ts';
+import { GrowU32 } from './grow.ts';
+import { SimplexTable } from './simplex-table.ts';
+import { canonical, type Trace } from './trace.ts';
+
+/**
+ * Why a vertex had to be inserted, as the proof of Theorem 2.2 tells it: its three cases lead from a vertex to an older one, its
+ * parent, and so in the end to the input. `parent` is a vertex, NONE where the chain ends.
+ */
+export type Cause =
+  | { readonly kind: 'input' | 'box'; readonly parent: typeof NONE }
+  /** A point that divides a segment by a rule about its length alone: nothing in the mesh caused it. */
+  | { readonly kind: 'division'; readonly parent: typeof NONE; readonly segment: number }
+  /** At distance d of the acute input vertex that it protects. */
+  | { readonly kind: 'protection'; readonly parent: number }
+  /** Case 1: a vertex encroached upon the subsegment or arc (or was a witness in its diametral disk). */
+  | { readonly kind: 'encroached'; readonly parent: number; readonly split: readonly number[] }
+  /** Case 3: the circumcenter of `triangle` yielded to the subsegment; its parent as in case 2. */
+  | {
+      readonly kind: 'yielded';
+      readonly parent: number;
+      readonly triangle: readonly number[];
+      readonly edge: readonly [number, number];
+    }
+  /** The subsegment was no edge of the triangulation: the younger of its ends. */
+  | { readonly kind: 'missing'; readonly parent: number; readonly split: readonly number[] }
+  /** Case 2: the younger vertex of the shortest edge of the triangle that was split. */
+  | {
+      readonly kind: 'triangle';
+      readonly parent: number;
+      readonly triangle: readonly number[];
+      readonly edge: readonly [number, number];
+    };
+
+/** Longer than any that was met; chains get younger to older, so they end anyway. */
+const MOST_LINKS = 10_000;
+
+/** Finds the cause of each vertex in a trace: read once, event by event, as it grows. */
+export class Ancestry {
+  /** Event that queued the simplex whose split made the vertex; NONE if nothing queued it. */
+  private readonly queuedBy = new GrowU32();
+  private readonly latest = new SimplexTable();
+  private next = 0;
+
+  constructor(private readonly trace: Trace) {}
+
+  cause(v: number): Cause {
+    this.update();
+    const { trace } = this;
+    const birth = trace.event(trace.vertexBorn.at(v));
+    switch (birth.reason) {
+      case Reason.input:
+        return { kind: 'input', parent: NONE };
+      case Reason.box:
+        return { kind: 'box', parent: NONE };
+      case Reason.division:
+      case Reason.equalLength:
+        return { kind: 'division', parent: NONE, segment: birth.segment };
+      case Reason.collar:
+        return { kind: 'protection', parent: this.nearestInputEnd(birth) };
+      case Reason.circle:
+        return { kind: 'protection', parent: birth.center };
+    }
+    if (birth.dimension === 2) {
+      const edge = this.shortestEdge(birth.simplex);
+      return { kind: 'triangle', parent: edge[1], triangle: birth.simplex, edge };
+    }
+    const index = this.queuedBy.at(v);
+    const queued = index === NONE ? null : trace.event(index);
+    if (queued?.reason === Reason.yieldedTo && index > 0) {
+      // The loop records who yielded right before it queues what was yielded to.
+      const proposer = trace.event(index - 1);
+      if (proposer.kind === Kind.yielded && proposer.simplex.length === 3) {
+        const edge = this.shortestEdge(proposer.simplex);
+        return { kind: 'yielded', parent: edge[1], triangle: proposer.simplex, edge };
+      }
+    }
+    if (queued && hasWitness(queued)) {
+      return { kind: 'encroached', parent: queued.subject, split: birth.simplex };
+    }
+    return { kind: 'missing', parent: this.byAge(birth.simplex)[1], split: birth.simplex };
+  }
+
+  /** From a vertex back to the input. */
+  chain(v: number): AncestryLink[] {
+    const links: AncestryLink[] = [];
+    let vertex = v;
+    while (links.length < MOST_LINKS) {
+      const { parent } = this.cause(vertex);
+      if (parent === NONE) break;
+      links.push({ vertex, parent });
+      vertex = parent;
+    }
+    return links;
+  }
+
+  private update(): void {
+    const { trace } = this;
+    for (; this.next < trace.eventCount; this.next++) {
+      const kind = trace.kind(this.next);
+      if (kind !== Kind.queued && kind !== Kind.inserted) continue;
+      const e = trace.event(this.next);
+      const [a, b, c] = key(e);
+      if (kind === Kind.inserted) {
+        while (this.queuedBy.length <= e.subject) this.queuedBy.push(NONE);
+        const index = e.dimension > 0 ? this.latest.take(a, b, c) : -1;
+        if (index >= 0) this.queuedBy.data[e.subject] = index;
+      } else if (e.reason !== Reason.returned) {
+        this.latest.set(a, b, c, this.next);
+      }
+    }
+  }
+
+  /** The older vertex first. */
+  private byAge(vertices: readonly number[]): [number, number] {
+    const born = this.trace.vertexBorn;
+    const [a, b] = vertices as readonly [number, number];
+    return born.at(a) <= born.at(b) ? [a, b] : [b, a];
+  }
+
+  private shortestEdge(triangle: readonly number[]): [number, number] {
+    const xy = this.trace.coordinates.data;
+    const [a, b, c] = triangle as readonly [number, number, number];
+    const edges: [number, number][] = [
+      [a, b],
+      [b, c],
+      [c, a],
+    ];
+    const length = ([p, q]: [number, number]) => distance(point(xy, p), point(xy, q));
+    edges.sort((e, f) => length(e) - length(f));
+    return this.byAge(edges[0]!);
+  }
+
+  private nearestInputEnd(birth: TraceEvent): number {
+    const xy = this.trace.coordinates.data;
+    const ends = birth.simplex.filter((v) => v < this.trace.input.vertexCount);
+    ends.sort((p, q) => distance(point(xy, p), birth.at) - distance(point(xy, q), birth.at));
+    return ends[0] ?? this.byAge(birth.simplex)[0];
+  }
+}
+
+function key(e: TraceEvent): [number, number, number] {
+  const [a, b, c] = e.simplex;
+  if (e.simplex.length === 3) return canonical(a!, b!, c!);
+  if (e.simplex.length < 2) return [NONE, NONE, NONE];
+  return [Math.min(a!, b!), Math.max(a!, b!), NONE];
+}
+
+function hasWitness(e: TraceEvent): boolean {
+  return (
+    e.subject !== NONE &&
+    (e.reason === Reason.encroached || e.reason === Reason.witness || e.reason === Reason.tooLong)
+  );
+}

@@ -1,0 +1,33 @@
+import type { MeshState } from '../shared/types.ts';
+import { distance, point } from './geometry.ts';
+
+/**
+ * N(q) of the first `count` vertices at the moment of a state: the distance to the nearest other vertex, which in a Delaunay
+ * triangulation is a neighbor. Infinite for a vertex that is not there, or alone. O(triangles); without triangles (all vertices on
+ * a line) O(count n).
+ */
+export function nearestNeighbors(state: MeshState, count: number): Float64Array {
+  const nearest = new Float64Array(count).fill(Number.POSITIVE_INFINITY);
+  const xy = state.coordinates;
+  const join = (a: number, b: number) => {
+    if (a >= count && b >= count) return;
+    const d = distance(point(xy, a), point(xy, b));
+    if (a < count && d < nearest[a]!) nearest[a] = d;
+    if (b < count && d < nearest[b]!) nearest[b] = d;
+  };
+  for (let i = 0; i < state.liveTriangleCount; i++) {
+    const n = 3 * state.liveTriangles[i]!;
+    const [a, b, c] = [state.triangles[n]!, state.triangles[n + 1]!, state.triangles[n + 2]!];
+    join(a, b);
+    join(b, c);
+    join(c, a);
+  }
+  if (state.liveTriangleCount > 0) return nearest;
+  const isAlive = (v: number) => state.vertexBorn[v]! < state.position;
+  for (let a = 0; a < count; a++) {
+    for (let b = 0; b < state.vertexCount; b++) {
+      if (a !== b && isAlive(a) && isAlive(b)) join(a, b);
+    }
+  }
+  return nearest;
+}
