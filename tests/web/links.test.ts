@@ -21,6 +21,7 @@ const shared: Shared = {
   moment: 1234,
   view: { x: 0.1 + 0.2, y: -1e-17, scale: 512.3 },
   color: 'quality',
+  overlays: ['featureSize', 'collars'],
 };
 
 describe('a link', () => {

@@ -116,9 +116,108 @@ export const texts = {
     outside: 'Outside the domain',
     vertices: 'Steiner vertices',
     circumcircles: 'Circumcircles',
-    diametral: 'Diametral disks',
     labels: 'Vertex numbers',
     grid: 'Grid',
+  },
+  /** Overlays of the theory: name, and what they show, in one sentence. */
+  theory: {
+    title: 'Overlays',
+    open: 'Overlays',
+    featureSize: {
+      name: 'Local feature size',
+      hint: 'lfs as a field; point at the picture for the ball, pick a point to keep it.',
+    },
+    neighbors: {
+      name: 'N against lfs',
+      hint: 'At each input vertex its nearest neighbor (solid) and lfs (dashed), with their ratio; flagged outside of [½, √2].',
+    },
+    diametral: {
+      name: 'Diametral disks',
+      hint: 'Of the subsegments; encroached ones with the vertex inside.',
+    },
+    spindles: {
+      name: 'Spindle',
+      hint: 'Spind(s) of the subsegment that is picked or acting: with an end segment go all end segments at its input vertex.',
+    },
+    collars: {
+      name: 'Collars',
+      hint: 'End segments that are never split, with their diametral disks.',
+    },
+    intestines: {
+      name: 'Intestines',
+      hint: 'Disks about acute input vertices, and the arcs that bound them.',
+    },
+    ancestry: {
+      name: 'Ancestry',
+      hint: 'From the picked vertex back to the input, parent by parent.',
+    },
+  },
+  /** The ball of the local feature size (thesis, Definition 2.1.6). */
+  featureSize: {
+    title: 'Local feature size',
+    invite:
+      'Point at the picture, or give a point: the ball that shows its local feature size is drawn.',
+    touchInvite: 'Tap a point of the picture for its ball.',
+    point: 'At the point',
+    release: 'Let the point go',
+    measuring: 'Measuring …',
+    key: 'lfs',
+    ball: (at: string, radius: string, first: string, second: string) =>
+      `lfs${at} = ${radius}: the smallest closed ball there that meets two disjoint input features; it meets ${first} and touches ${second}.`,
+    none: (at: string) => `lfs${at} = ∞: no two input features are disjoint.`,
+    feature: (kind: 'vertex' | 'segment', index: number) => `${kind} ${index}`,
+  },
+  inspector: {
+    vertex: (v: number) => `Vertex ${v}`,
+    subsegment: 'Subsegment',
+    triangle: 'Triangle',
+    number: 'Pick a vertex by number',
+    pick: 'Pick',
+    features: 'features',
+    ends: (segments: readonly number[]) =>
+      segments.length === 0
+        ? 'input vertex, isolated'
+        : `input vertex, end of segment${segments.length === 1 ? '' : 's'} ${segments.join(', ')}`,
+    onSegment: (s: number) => `on input segment ${s}`,
+    onBox: 'on a side of the box',
+    onCircle: (v: number) => `on the circle that protects vertex ${v}`,
+    box: 'corner of the box',
+    free: 'on no input feature',
+    born: 'born',
+    event: (event: number, step: string) => `event ${formatCount(event)}, step ${step}`,
+    showBirth: 'Show that moment',
+    why: 'why',
+    insertionRadius: 'r_q',
+    lfs: 'lfs(q)',
+    ratio: 'lfs(q) / r_q',
+    nearest: 'N(q)',
+    nearestRatio: 'N(q) / lfs(q)',
+    bound: (theorem: string, symbol: string, value: string, condition: string) =>
+      `${theorem} bounds it by ${symbol}${value === '' || value === symbol ? '' : ` = ${value}`}${condition === '' ? '' : ` (${condition})`}.`,
+    unbounded: (theorem: string, symbol: string) =>
+      `${theorem}: at most some ${symbol} that depends on the input angles and the parameters alone.`,
+    nearestBound: (lower: string, upper: string) =>
+      `${lower}${lower && upper ? ' and ' : ''}${upper}`,
+    ancestry: 'Ancestry',
+    ancestryHint:
+      'Each vertex and the one that made it necessary (the cases of the proof of Theorem 2.2).',
+    isInput: 'A vertex of the input: the chain ends here.',
+    back: (v: number) => `Back to vertex ${v}`,
+    more: (n: number) => `and ${formatCount(n)} more`,
+    causes: {
+      input: 'of the input',
+      box: 'a corner of the box',
+      division: (segment: number) => `divides input segment ${segment}, by its length alone`,
+      protection: (v: number) => `protects the acute angle at vertex ${v}`,
+      encroached: (split: string, v: number) =>
+        `splits ${split}, upon which vertex ${v} encroached`,
+      yielded: (triangle: string, edge: string, v: number) =>
+        `the circumcenter of ${triangle} yielded to it; its shortest edge ${edge} has vertex ${v} as the younger end`,
+      missing: (split: string, v: number) =>
+        `splits ${split}, which was no edge; vertex ${v} is its younger end`,
+      triangle: (triangle: string, edge: string, v: number) =>
+        `splits ${triangle}; its shortest edge ${edge} has vertex ${v} as the younger end`,
+    },
   },
   legend: {
     title: 'Legend',

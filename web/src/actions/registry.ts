@@ -1,4 +1,5 @@
 import type { JumpTarget } from '../replay/timeline.ts';
+import type { TheoryOverlay } from '../shared/types.ts';
 import { app } from '../store/app.svelte.ts';
 import { texts } from '../texts.ts';
 import type { Action } from './types.ts';
@@ -267,6 +268,45 @@ const view: Action[] = [
   },
 ];
 
+/** One letter each; all of them are switched in the panel, too. */
+const overlayKeys: readonly (readonly [TheoryOverlay, string])[] = [
+  ['featureSize', 'f'],
+  ['neighbors', 'n'],
+  ['diametral', 'd'],
+  ['spindles', 'x'],
+  ['collars', 'o'],
+  ['intestines', 'i'],
+  ['ancestry', 'a'],
+];
+
+const overlays: Action[] = [
+  {
+    id: 'overlays',
+    title: texts.theory.open,
+    group: 'Overlays',
+    keys: ['Shift+O'],
+    perform: () => {
+      app.settings.panelOpen = true;
+      app.sheetOpen = true;
+      app.tab = 'mesh';
+      requestAnimationFrame(() => document.querySelector<HTMLElement>('#overlays input')?.focus());
+    },
+  },
+  ...overlayKeys.map(
+    ([name, key]): Action => ({
+      id: `overlay-${name}`,
+      title: texts.theory[name].name,
+      group: 'Overlays',
+      keys: [key],
+      pressed: () => settings.overlays[name],
+      perform: () => {
+        settings.setOverlay(name, !settings.overlays[name]);
+        app.announcement = `${texts.theory[name].name}: ${settings.overlays[name] ? 'on' : 'off'}`;
+      },
+    }),
+  ),
+];
+
 const file: Action[] = [
   {
     id: 'gallery',
@@ -323,6 +363,7 @@ export const actions: readonly Action[] = [
   ...edit,
   ...tools,
   ...view,
+  ...overlays,
   ...file,
 ];
 

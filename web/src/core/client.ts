@@ -1,4 +1,11 @@
-import type { Defect, Progress, ReadAnswer, Report, TraceChunk } from 'circumball';
+import type {
+  Defect,
+  FeatureSizesAnswer,
+  Progress,
+  ReadAnswer,
+  Report,
+  TraceChunk,
+} from 'circumball';
 import * as Comlink from 'comlink';
 import type { CoreApi, Hello, OutputFile, StartAnswer } from './worker.ts';
 
@@ -40,6 +47,10 @@ export class CoreClient {
 
   async check(complex: string): Promise<Defect[]> {
     return this.call((core) => core.check(complex));
+  }
+
+  async featureSizes(complex: string, points: Float64Array): Promise<FeatureSizesAnswer> {
+    return this.call((core) => core.featureSizes(complex, points));
   }
 
   async start(complex: string, options: string): Promise<StartAnswer> {

@@ -2,6 +2,7 @@ import createCircumball, {
   type AlgorithmInfo,
   type CircumballModule,
   type Defect,
+  type FeatureSizesAnswer,
   type Progress,
   type ReadAnswer,
   type Report,
@@ -68,6 +69,10 @@ const api = {
 
   check(complex: string): Defect[] {
     return core.check(complex);
+  },
+
+  featureSizes(complex: string, points: Float64Array): FeatureSizesAnswer {
+    return core.featureSizes(complex, points);
   },
 
   start(complex: string, options: string): StartAnswer {

@@ -11,6 +11,7 @@ export interface Shared {
   readonly moment: number | null; // position in the trace; null: the input alone
   readonly view: View | null;
   readonly color?: ColorMode;
+  readonly overlays?: readonly string[]; // of the theory, by name
   readonly compare?: ComparisonOptions;
 }
 
@@ -39,7 +40,7 @@ export function fromHash(hash: string): Shared | null {
   try {
     const packed = fromBase64(hash.slice(PREFIX.length));
     const json = JSON.parse(strFromU8(inflateBounded(packed)));
-    const { options, moment, view, color, compare } = json.rest ?? {};
+    const { options, moment, view, color, overlays, compare } = json.rest ?? {};
     if (!isComplexJson(json.complex)) throw new Error('no complex');
     return {
       complex: complexFromJson(json.complex),
@@ -47,6 +48,7 @@ export function fromHash(hash: string): Shared | null {
       moment: isPosition(moment) ? moment : null,
       view: isView(view) ? view : null,
       ...(typeof color === 'string' ? { color: color as ColorMode } : {}),
+      ...(Array.isArray(overlays) ? { overlays: overlays.map(String) } : {}),
       ...(isRecord(compare) ? { compare: comparisonOf(compare) } : {}),
     };
   } catch {

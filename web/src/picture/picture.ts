@@ -275,6 +275,7 @@ export class CanvasPicture implements Picture {
     this.pixelRatio = pixelRatio;
     this.renderer.setPixelRatio(pixelRatio);
     this.renderer.setSize(this.size.width, this.size.height, false);
+    for (const listener of this.listeners) listener(this.view); // other places are in sight
     // A resized canvas is blank until it is drawn: at once, or it flickers.
     this.draw();
   }

@@ -31,3 +31,23 @@ export function nearestNeighbors(state: MeshState, count: number): Float64Array 
   }
   return nearest;
 }
+
+/** N(q) of one vertex. O(triangles), or O(n) without triangles. */
+export function nearestNeighbor(state: MeshState, v: number): number {
+  let nearest = Number.POSITIVE_INFINITY;
+  const xy = state.coordinates;
+  const look = (w: number) => {
+    if (w !== v) nearest = Math.min(nearest, distance(point(xy, v), point(xy, w)));
+  };
+  for (let i = 0; i < state.liveTriangleCount; i++) {
+    const corners = state.triangles.subarray(
+      3 * state.liveTriangles[i]!,
+      3 * state.liveTriangles[i]! + 3,
+    );
+    if (corners.includes(v)) corners.forEach(look);
+  }
+  if (state.liveTriangleCount === 0) {
+    for (let w = 0; w < state.vertexCount; w++) if (state.vertexBorn[w]! < state.position) look(w);
+  }
+  return nearest;
+}

@@ -158,6 +158,18 @@ export interface Overlays {
   readonly highlight: ReadonlySet<number> | null; // triangles to stress (a bin of the histogram), by number
 }
 
+/** Overlays of the theory, in the order in which they are listed. */
+export const theoryOverlays = [
+  'featureSize',
+  'neighbors',
+  'diametral',
+  'spindles',
+  'collars',
+  'intestines',
+  'ancestry',
+] as const;
+export type TheoryOverlay = (typeof theoryOverlays)[number];
+
 export interface PictureTheme {
   readonly dark: boolean;
   readonly reducedMotion: boolean;

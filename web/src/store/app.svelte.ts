@@ -3,10 +3,13 @@ import { CoreClient, type CoreLoss } from '../core/client.ts';
 import { complexFromJson } from '../core/complex-json.ts';
 import type { Hello } from '../core/worker.ts';
 import type { ComparisonOptions, Shared } from '../link/link.ts';
-import { type Complex2, emptyComplex, type View } from '../shared/types.ts';
+import { point } from '../replay/geometry.ts';
+import { refinedComplex } from '../replay/refined-complex.ts';
+import { type Complex2, emptyComplex, type Point, type View } from '../shared/types.ts';
 import { texts } from '../texts.ts';
 import { Comparison } from './comparison.svelte.ts';
 import { DocumentStore } from './document.svelte.ts';
+import { FeatureStore } from './features.svelte.ts';
 import { Pane } from './pane.svelte.ts';
 import { Settings } from './settings.svelte.ts';
 
@@ -23,6 +26,7 @@ export class App {
   readonly settings = new Settings();
   readonly core = new CoreClient((loss) => this.coreLost(loss));
   readonly doc = new DocumentStore(this.core);
+  readonly features = new FeatureStore(this.core);
   readonly first = new Pane(this.core, () => this.settings.speed);
   readonly comparison = new Comparison(
     this.first,
@@ -85,6 +89,16 @@ export class App {
   /** The finished or growing run is about the input as it is drawn now. */
   readonly fresh = $derived(
     this.first.run.trace !== null && this.first.run.complex === this.doc.complex,
+  );
+
+  private readonly boxed = $derived.by(() => {
+    const { trace, traceVersion } = this.first.run;
+    void traceVersion;
+    return this.fresh && refinedComplex(this.doc.complex, trace) !== this.doc.complex;
+  });
+  /** What feature sizes are about: the input, and the box about it if the run made one. */
+  readonly featureComplex = $derived(
+    this.boxed ? refinedComplex(this.doc.complex, this.first.run.trace) : this.doc.complex,
   );
 
   constructor() {
@@ -200,6 +214,7 @@ export class App {
     this.open(shared.complex, title, shared.options);
     if (shared.compare) await this.compare(shared.compare);
     if (shared.color) this.settings.color = shared.color;
+    if (shared.overlays) this.settings.showOverlays(shared.overlays);
     this.pendingView = shared.view;
     const tick = shared.compare?.tick ?? null;
     if (shared.moment !== null) await this.refine({ moment: shared.moment, tick });
@@ -216,8 +231,17 @@ export class App {
       moment: this.fresh ? this.first.playback.position : null,
       view: this.first.picture?.getView() ?? null,
       color: this.settings.color,
+      overlays: this.settings.shownOverlays,
       ...(second ? { compare: { options: this.optionsOf(second), pace, tick } } : {}),
     };
+  }
+
+  /** Keeps the ball at a place of the picture: at the vertex, if one was hit. */
+  probe(at: Point): void {
+    const vertex = this.picked?.vertex;
+    const { trace } = this.run;
+    const exact = vertex != null && trace && vertex < trace.vertexCount;
+    this.features.pin(exact ? point(trace.coordinates.data, vertex) : at);
   }
 
   discardRun(): void {

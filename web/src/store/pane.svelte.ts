@@ -1,5 +1,6 @@
 import type { CoreClient } from '../core/client.ts';
 import type { Hit, Picture } from '../shared/types.ts';
+import { OverlayStore } from './overlays.svelte.ts';
 import { ParameterStore } from './parameters.svelte.ts';
 import { PlaybackStore } from './playback.svelte.ts';
 import { RunStore } from './run.svelte.ts';
@@ -8,6 +9,7 @@ import { RunStore } from './run.svelte.ts';
 export class Pane {
   readonly run: RunStore;
   readonly playback: PlaybackStore;
+  readonly overlays: OverlayStore;
   readonly parameters = new ParameterStore();
   picked = $state.raw<Hit | null>(null);
   picture = $state.raw<Picture | null>(null);
@@ -18,6 +20,7 @@ export class Pane {
   ) {
     this.run = new RunStore(core);
     this.playback = new PlaybackStore(this.run, speed);
+    this.overlays = new OverlayStore(this.run, this.playback, () => this.picked);
   }
 
   /** What was computed is no longer about the input. */

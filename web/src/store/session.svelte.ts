@@ -86,7 +86,7 @@ function write(app: App): void {
 export function keepSaved(app: App): void {
   let timer: ReturnType<typeof setTimeout> | undefined;
   $effect(() => {
-    void [app.doc.complex, app.doc.title, app.settings.color];
+    void [app.doc.complex, app.doc.title, app.settings.color, app.settings.overlays];
     void [app.comparison.pace, app.clock.playing];
     for (const { parameters, run } of app.panes) {
       void [parameters.algorithm, parameters.values, parameters.domain];

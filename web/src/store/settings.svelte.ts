@@ -1,4 +1,9 @@
-import type { ColorMode, Overlays } from '../shared/types.ts';
+import {
+  type ColorMode,
+  type Overlays,
+  type TheoryOverlay,
+  theoryOverlays,
+} from '../shared/types.ts';
 
 /** What the viewer prefers; kept across visits. */
 
@@ -76,6 +81,16 @@ export class Settings {
 
   setOverlay<K extends keyof Overlays>(name: K, value: Overlays[K]): void {
     this.overlays = { ...this.overlays, [name]: value };
+  }
+
+  get shownOverlays(): TheoryOverlay[] {
+    return theoryOverlays.filter((name) => this.overlays[name]);
+  }
+
+  /** These and no others, as a link asks. */
+  showOverlays(names: readonly string[]): void {
+    const shown = Object.fromEntries(theoryOverlays.map((name) => [name, names.includes(name)]));
+    this.overlays = { ...this.overlays, ...shown };
   }
 
   cycleTheme(): void {
