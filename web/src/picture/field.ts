@@ -24,7 +24,7 @@ export function fieldRange(field: FeatureField): FieldRange | null {
 
 /** Opacity of the tint at t in [0, 1], from the smallest feature size in sight to the largest. */
 export function fieldOpacity(t: number): number {
-  return 0.72 - 0.66 * Math.min(Math.max(t, 0), 1);
+  return 0.04 + 0.6 * (1 - Math.min(Math.max(t, 0), 1)) ** 1.4;
 }
 
 /** Where a value lies in a range, by its logarithm. */

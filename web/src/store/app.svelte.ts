@@ -236,6 +236,15 @@ export class App {
     };
   }
 
+  /** To a position of the run in the panel, and the other one to where it then stands. */
+  seekMoment(position: number): void {
+    const { lockstep } = this.comparison.clock;
+    const tick = this.comparing
+      ? lockstep?.tickOf(this.pane === this.first ? 0 : 1, position)
+      : null;
+    this.clock.seek(tick ?? position);
+  }
+
   /** Keeps the ball at a place of the picture: at the vertex, if one was hit. */
   probe(at: Point): void {
     const vertex = this.picked?.vertex;

@@ -33,13 +33,13 @@ export function fieldItems(field: FeatureField, { theme, pixel }: OverlayLook): 
   const taken: Point[] = [];
   for (const { level, segments } of contours(field)) {
     for (const [a, b] of segments) {
-      items.lines.push({ a, b, color: theme.featureSize, width: 1.2, opacity: 0.75 });
+      items.lines.push({ a, b, color: theme.featureSize, width: 1, opacity: 0.6 });
     }
     // Words where there is room: at least a hand away from each other.
     let left = 2;
     for (let i = 0; i < segments.length && left > 0; ++i) {
       const at = segments[(Math.floor(segments.length / 3) + i) % segments.length]![0];
-      if (taken.some((p) => Math.hypot(p[0] - at[0], p[1] - at[1]) < 70 * pixel)) continue;
+      if (taken.some((p) => Math.hypot(p[0] - at[0], p[1] - at[1]) < 48 * pixel)) continue;
       taken.push(at);
       --left;
       items.texts.push({
