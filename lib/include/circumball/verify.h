@@ -13,14 +13,15 @@
 namespace circumball {
 
 struct VerifyOptions {
-  std::optional<double> tau;        ///< radius-edge bound to check; none: "radius-edge" is left out
-  std::optional<double> size;       ///< circumradius bound to check
-  std::string domain = "closed";    ///< "hull", "box" or "closed": what the mesh should cover
+  std::optional<double> tau;      ///< radius-edge bound to check; none: "radius-edge" is left out
+  std::optional<double> size;     ///< circumradius bound to check
+  std::string domain = "closed";  ///< "hull", "box" or "closed": what the mesh should cover
+  bool protect_all =
+      false;  ///< collars, intestines: at every input vertex, not at acute angles only
   std::vector<std::string> checks;  ///< which; empty: all that apply
   /// Cells (sorted vertex numbers) that the run reported as rightly refused: not counted by the
   /// quality checks.
   std::vector<std::vector<std::uint32_t>> excused;
-  bool protect_all = false;  ///< "collar": all input vertices are protected, not the acute alone
 };
 
 struct Check {
@@ -40,8 +41,11 @@ struct Check {
 /// without gap or overlap), "area" (areas of the cells add up to the domain's area, from exact
 /// signed areas of loops, relative 1e-9 and what rounding of vertices can move), "radius-edge"
 /// (every cell has circumradius / shortest edge <= tau, with the rounding error of the measurement
-/// as slack), "min-angle" (chew: >= 30 degrees), "size" (circumradius <= size), "nearest-neighbor"
-/// (Theorem 2.3: N(q0) <= sqrt 2 lfs(q0) for each input vertex; lfs by brute force).
+/// as slack), "collar" (Theorem 5.7: the circumcenter of every cell above tau lies in the diametral
+/// disk of a collar simplex), "intestine" and "max-angle" (Theorem 5.11: cells above tau lie in the
+/// disks that protect acute input angles; no angle above 180 degrees - 2 kappa), "min-angle" (chew:
+/// >= 30 degrees), "size" (circumradius <= size), "nearest-neighbor" (Theorem 2.3: N(q0) <= sqrt 2
+/// lfs(q0) for each input vertex; lfs by brute force).
 std::vector<Check> verify(const Mesh& mesh, const Complex& complex, const VerifyOptions& options);
 
 /// Measures of a mesh, for the report.

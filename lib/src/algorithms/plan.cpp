@@ -32,6 +32,10 @@ Rules bounded(const Settings& settings) {
   return rules;
 }
 
+Protection protection(const Settings& settings) {
+  return {settings.protection, settings.protect_all, settings.size, settings.sizing};
+}
+
 }  // namespace
 
 std::vector<std::unique_ptr<Stage>> plan(const Settings& settings) {
@@ -45,12 +49,12 @@ std::vector<std::unique_ptr<Stage>> plan(const Settings& settings) {
     steps.push_back(loop("1a", "Estimate the feature size at all input vertices", FeatureSize{}));
     steps.push_back(classify_triangles());
   } else if (settings.algorithm == "collar") {
-    steps.push_back(protect_acute_angles(settings.protection, settings.protect_all));
+    steps.push_back(protect_acute_angles(protection(settings)));
     steps.push_back(loop("1c", "Split encroached segments", ConformWithCollar{}));
     steps.push_back(classify_triangles());
     steps.push_back(loop("2", "Ruppert's algorithm, protected", bounded<Collar>(settings)));
   } else if (settings.algorithm == "intestine") {
-    steps.push_back(protect_acute_angles(settings.protection, settings.protect_all));
+    steps.push_back(protect_acute_angles(protection(settings)));
     steps.push_back(loop("1c", "Split encroached segments", ConformWithCollar{}));
     steps.push_back(classify_triangles());
     steps.push_back(draw_protecting_circles());

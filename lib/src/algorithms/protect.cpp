@@ -46,12 +46,12 @@ class FeatureSizeEstimate {
 
 class ProtectAcuteAngles final : public Stage {
  public:
-  ProtectAcuteAngles(double fraction, bool all)
-      : Stage("1b", "Protect acute input angles"), fraction_(fraction), all_(all) {}
+  explicit ProtectAcuteAngles(Protection how)
+      : Stage("1b", "Protect acute input angles"), how_(std::move(how)) {}
 
   void begin(Workspace& w) override {
     acute_ = acute_vertices(w.live.complex());
-    if (all_) acute_.assign(acute_.size(), true);
+    if (how_.all) acute_.assign(acute_.size(), true);
     if (std::find(acute_.begin(), acute_.end(), true) == acute_.end()) return;
     estimate_ = std::make_unique<FeatureSizeEstimate>(w);
   }
@@ -93,15 +93,31 @@ class ProtectAcuteAngles final : public Stage {
     const Delaunay2& dt = w.live.triangulation();
     const Point2 a = dt.point(q0), b = dt.point(far);
     if (w.live.protection_distance(q0) == 0) {
-      w.live.protect(q0, fraction_ * estimate_->nearest_neighbor(q0));
+      w.live.protect(q0, protection_distance(w.live.complex(), a, q0));
     }
     // Rounded: within a few ulp of the larger end in each coordinate, like the distance d itself.
     const double t = w.live.protection_distance(q0) / distance(a, b);
     return split_at(w, s, {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}, Reason::kCollar);
   }
 
-  double fraction_;
-  bool all_;
+  double protection_distance(const Complex& complex, const Point2& at, VertexId q0) const {
+    double d = how_.fraction * estimate_->nearest_neighbor(q0);
+    if (how_.size > 0) d = std::min(d, how_.size);
+    for (const Region& region : complex.regions) {
+      // The largest area of a triangle whose circumradius is d / sqrt 2 is below 0.65 d^2.
+      if (region.max > 0) d = std::min(d, std::sqrt(region.max / 0.65));
+    }
+    for (int i = 0; how_.sizing && i < 64; ++i) {
+      // A certified bound on a box that holds every triangle in question.
+      const Interval x(at.x - 2 * d, at.x + 2 * d), y(at.y - 2 * d, at.y + 2 * d);
+      const double least = how_.sizing->over(x, y).lo;
+      if (d <= least) break;
+      d = std::max(least, 0.5 * d);
+    }
+    return d;
+  }
+
+  Protection how_;
   std::vector<bool> acute_;
   std::unique_ptr<FeatureSizeEstimate> estimate_;
   std::uint32_t next_ = 0;
@@ -109,8 +125,8 @@ class ProtectAcuteAngles final : public Stage {
 
 }  // namespace
 
-std::unique_ptr<Stage> protect_acute_angles(double fraction, bool all) {
-  return std::make_unique<ProtectAcuteAngles>(fraction, all);
+std::unique_ptr<Stage> protect_acute_angles(Protection how) {
+  return std::make_unique<ProtectAcuteAngles>(std::move(how));
 }
 
 std::vector<bool> acute_vertices(const Complex& complex) {

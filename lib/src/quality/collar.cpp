@@ -1,8 +1,8 @@
 #include <cmath>
 
-#include "circumball/predicates.h"
 #include "complex/box_tree.h"
 #include "quality/context.h"
+#include "quality/protected_vertices.h"
 #include "quality/triangle_measure.h"
 
 namespace circumball {
@@ -11,47 +11,20 @@ namespace {
 /// Circumcenters are rounded: inside a disk means inside by this, relative to its diameter.
 constexpr double kSlack = 1e-10;
 
-/// Vertices of the complex at which two segments meet at less than 90 degrees. Exact.
-std::vector<bool> acute_corners(const Complex& complex) {
-  std::vector<std::vector<Point2>> ends(complex.vertices.size());
-  for (const auto& s : complex.segments) {
-    if (s[0] >= ends.size() || s[1] >= ends.size()) continue;
-    ends[s[0]].push_back(xy(complex.vertices[s[1]]));
-    ends[s[1]].push_back(xy(complex.vertices[s[0]]));
-  }
-  std::vector<bool> acute(ends.size(), false);
-  for (std::size_t v = 0; v < ends.size(); ++v) {
-    const Point2 p = xy(complex.vertices[v]);
-    for (std::size_t i = 1; i < ends[v].size() && !acute[v]; ++i) {
-      for (std::size_t j = 0; j < i && !acute[v]; ++j) {
-        acute[v] = ends[v][i] != ends[v][j] &&
-                   in_diametral_ball(ends[v][i], ends[v][j], p) == Sign::kNegative;
-      }
-    }
-  }
-  return acute;
-}
-
 }  // namespace
 
 /// Theorem 5.7: the circumcenter of any triangle with RE(t) > tau lies in the diametral disk of a
-/// collar simplex. Collar simplices are read off the mesh: its subsegments at acute input angles
-/// (every subsegment at an input vertex, where all are protected: then this asks for less).
+/// collar simplex. Collar simplices are read off the mesh: its subsegments at protected vertices.
 Check check_collar(const VerifyContext& context) {
   Check check;
   check.name = "collar";
   const Mesh& mesh = context.mesh;
   const double tau = context.options.tau.value_or(0);
-  std::vector<bool> acute = acute_corners(context.complex);
-  if (context.options.protect_all) acute.assign(acute.size(), true);
-  std::vector<bool> protects(mesh.vertices.size(), false);
-  for (std::size_t i = 0; i < acute.size(); ++i) {
-    if (acute[i] && context.mesh_vertex[i] != kNoIndex) protects[context.mesh_vertex[i]] = true;
-  }
+  const std::vector<double> protection = protection_distances(context);
   std::vector<MeshEdge> collar;
   std::vector<Box2> boxes;
   for (const MeshEdge& e : mesh.edges) {
-    if (!protects[e.a] && !protects[e.b]) continue;
+    if (protection[e.a] == 0 && protection[e.b] == 0) continue;
     const Point2 a = context.point(e.a), b = context.point(e.b);
     const double dx = 0.5 * (b.x - a.x), dy = 0.5 * (b.y - a.y);
     const double r = std::sqrt(dx * dx + dy * dy) * (1 + kSlack);

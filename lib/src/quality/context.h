@@ -138,6 +138,8 @@ Check check_nearest_neighbor(const VerifyContext& context);
 Check check_nearest_neighbor_lower(const VerifyContext& context);
 Check check_seditious(const VerifyContext& context);
 Check check_collar(const VerifyContext& context);
+Check check_intestine(const VerifyContext& context);
+Check check_max_angle(const VerifyContext& context);
 
 }  // namespace circumball
 

@@ -50,6 +50,11 @@ TriangleMeasure measure_triangle(const Point2& a, const Point2& b, const Point2&
   return m;
 }
 
+double degrees_of_cosine(double cosine) {
+  const double clipped = std::min(1.0, std::max(-1.0, cosine));
+  return elementary::acos(clipped) * (180 / elementary::kPi);
+}
+
 AngleRange angles_degrees(const Point2& a, const Point2& b, const Point2& c) {
   constexpr double kDegrees = 57.295779513082320877;
   const double cross = std::fabs(measure_triangle(a, b, c).cross);

@@ -24,6 +24,9 @@ struct AngleRange {
 };
 AngleRange angles_degrees(const Point2& a, const Point2& b, const Point2& c);
 
+/// The angle in degrees, a few ulp accurate; reported only.
+double degrees_of_cosine(double cosine);
+
 }  // namespace circumball
 
 #endif  // CIRCUMBALL_QUALITY_TRIANGLE_MEASURE_H_

@@ -11,6 +11,8 @@ struct Entry {
   const char* name;
   Check (*run)(const VerifyContext&);
   bool (*applies)(const VerifyOptions&);  // where no checks are named
+  bool (*possible)(
+      const VerifyOptions&);  // a bound that nobody gave cannot be checked, named or not
 };
 
 bool always(const VerifyOptions&) { return true; }
@@ -20,18 +22,20 @@ bool has_size(const VerifyOptions& o) { return o.size.has_value(); }
 bool conforming(const VerifyOptions& o) { return o.domain != "hull"; }  // `hull` adds no vertices
 
 constexpr Entry kChecks[] = {
-    {"topology", check_topology, always},
-    {"delaunay", check_delaunay, always},
-    {"input-vertices", check_input_vertices, always},
-    {"input-segments", check_input_segments, conforming},
-    {"area", check_area, always},
-    {"radius-edge", check_radius_edge, has_tau},
-    {"min-angle", check_min_angle, asked_only},
-    {"size", check_size, has_size},
-    {"nearest-neighbor", check_nearest_neighbor, asked_only},
-    {"nearest-neighbor-lower", check_nearest_neighbor_lower, asked_only},
-    {"seditious", check_seditious, asked_only},
-    {"collar", check_collar, asked_only},
+    {"topology", check_topology, always, always},
+    {"delaunay", check_delaunay, always, always},
+    {"input-vertices", check_input_vertices, always, always},
+    {"input-segments", check_input_segments, conforming, always},
+    {"area", check_area, always, always},
+    {"radius-edge", check_radius_edge, has_tau, has_tau},
+    {"min-angle", check_min_angle, asked_only, always},
+    {"size", check_size, has_size, has_size},
+    {"nearest-neighbor", check_nearest_neighbor, asked_only, always},
+    {"nearest-neighbor-lower", check_nearest_neighbor_lower, asked_only, always},
+    {"seditious", check_seditious, asked_only, has_tau},
+    {"collar", check_collar, asked_only, has_tau},
+    {"intestine", check_intestine, asked_only, has_tau},
+    {"max-angle", check_max_angle, asked_only, has_tau},
 };
 
 }  // namespace
@@ -43,11 +47,7 @@ std::vector<Check> verify(const Mesh& mesh, const Complex& complex, const Verify
     const auto named = std::find(options.checks.begin(), options.checks.end(), entry.name);
     const bool wanted =
         options.checks.empty() ? entry.applies(options) : named != options.checks.end();
-    // A bound that nobody gave cannot be checked, named or not.
-    const bool needs_tau =
-        entry.run == check_radius_edge || entry.run == check_collar || entry.run == check_seditious;
-    if (!wanted || (needs_tau && !options.tau) || (entry.run == check_size && !options.size))
-      continue;
+    if (!wanted || !entry.possible(options)) continue;
     checks.push_back(entry.run(context));
   }
   return checks;

@@ -49,8 +49,9 @@ VerifyOptions promised_checks(const Run& run) {
     drop("radius-edge");
   }
   result.domain = name(run.domain());
-  const auto protect = run.options().parameters.find("protect");
-  result.protect_all = protect != run.options().parameters.end() && protect->second == "all";
+  const auto& parameters = run.options().parameters;
+  const auto protect = parameters.find("protect");
+  result.protect_all = protect != parameters.end() && protect->second == "all";
   for (const Unresolved& unresolved : run.unresolved(static_cast<std::size_t>(-1))) {
     if (unresolved.simplex.size() != static_cast<std::size_t>(dimension) + 1) continue;
     if (!rightly_refused(unresolved, run.status())) continue;
