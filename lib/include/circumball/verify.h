@@ -45,7 +45,10 @@ struct Check {
 /// disk of a collar simplex), "intestine" and "max-angle" (Theorem 5.11: cells above tau lie in the
 /// disks that protect acute input angles; no angle above 180 degrees - 2 kappa), "min-angle" (chew:
 /// >= 30 degrees), "size" (circumradius <= size), "nearest-neighbor" (Theorem 2.3: N(q0) <= sqrt 2
-/// lfs(q0) for each input vertex; lfs by brute force).
+/// lfs(q0) for each input vertex; lfs by brute force), "nearest-neighbor-lower" (Theorem 3.2: 1/2
+/// lfs(q0) <= N(q0)), "grading" (the constant C of lfs(q) <= C r_q over the Steiner vertices, as
+/// observed: Theorems 2.2, 5.6 and 5.10 give no number to check; vertices are taken to be numbered
+/// by birth).
 std::vector<Check> verify(const Mesh& mesh, const Complex& complex, const VerifyOptions& options);
 
 /// Measures of a mesh, for the report.

@@ -58,8 +58,8 @@ std::vector<AlgorithmInfo> make_registry() {
       "to the input, $\\mathrm{RE}(t) \\le \\tau$ for every triangle, it is graded to the local "
       "feature size, and $N(q_0) \\le \\sqrt 2\\,\\mathrm{lfs}(q_0)$ for every input vertex "
       "(Theorems 2.2 and 2.3).";
-  ruppert.checks = {"topology", "delaunay",    "input-vertices",   "input-segments",
-                    "area",     "radius-edge", "nearest-neighbor", "size"};
+  ruppert.checks = {"topology",    "delaunay",         "input-vertices", "input-segments", "area",
+                    "radius-edge", "nearest-neighbor", "size",           "grading"};
   ruppert.default_domain = "closed";
 
   AlgorithmInfo feature_size;
@@ -104,8 +104,8 @@ std::vector<AlgorithmInfo> make_registry() {
       "It ends for every complex and $\\tau > \\sqrt 2$; the mesh conforms and is graded to the "
       "local feature size, and the circumcenter of every triangle with $\\mathrm{RE}(t) > \\tau$ "
       "lies in the diametral disk of a collar simplex (Theorems 5.6 and 5.7).";
-  collar.checks = {"topology", "delaunay", "input-vertices", "input-segments",
-                   "area",     "collar",   "radius-edge",    "size"};
+  collar.checks = {"topology", "delaunay",    "input-vertices", "input-segments", "area",
+                   "collar",   "radius-edge", "size",           "grading"};
 
   AlgorithmInfo intestine = collar;
   intestine.id = "intestine";
@@ -129,8 +129,8 @@ std::vector<AlgorithmInfo> make_registry() {
       "acute input vertices, and no angle is larger than $180^\\circ - 2\\kappa$ (Theorems 5.10 "
       "and "
       "5.11).";
-  intestine.checks = {"topology", "delaunay",  "input-vertices", "input-segments",
-                      "area",     "intestine", "max-angle",      "size"};
+  intestine.checks = {"topology",  "delaunay",  "input-vertices", "input-segments", "area",
+                      "intestine", "max-angle", "size",           "grading"};
 
   AlgorithmInfo terminator = ruppert;
   terminator.id = "terminator";

@@ -85,6 +85,13 @@ class VerifyContext {
   /// Whether the mesh must have the feature: always for hull and box; for closed where the domain
   /// touches it.
   std::vector<std::uint8_t> vertex_wanted, segment_wanted;
+  /// Whether a feature counts in feature sizes. The triangulation is of all vertices, and segments
+  /// outside of a closed domain are split as those inside are (levels are counted only when all are
+  /// edges): what lies outside may encroach upon the border. So in a mesh that knows its input all
+  /// count. Other meshers leave what is outside alone.
+  bool counts(const Feature& f) const {
+    return by_number || (f.kind == FeatureKind::kVertex ? vertex_wanted : segment_wanted)[f.index];
+  }
 
   bool excused(const Cell& cell) const;
 
@@ -140,6 +147,7 @@ Check check_seditious(const VerifyContext& context);
 Check check_collar(const VerifyContext& context);
 Check check_intestine(const VerifyContext& context);
 Check check_max_angle(const VerifyContext& context);
+Check check_grading(const VerifyContext& context);
 
 }  // namespace circumball
 

@@ -14,16 +14,12 @@ namespace {
 constexpr double kSlack = 1e-10;
 
 /// One side of 1/2 lfs(q0) <= N(q0) <= sqrt 2 lfs(q0): the most that N / lfs, or the least, is.
-/// Features that a closed domain does not touch are left alone by the mesher: they do not count.
 Check check_side(const VerifyContext& context, bool upper) {
   Check check;
   check.name = upper ? "nearest-neighbor" : "nearest-neighbor-lower";
   const double bound = upper ? std::sqrt(2.0) : 0.5;
   check.bound = bound;
-  const FeatureSizes sizes(context.complex, [&](const Feature& f) {
-    return f.kind == FeatureKind::kVertex ? context.vertex_wanted[f.index] != 0
-                                          : context.segment_wanted[f.index] != 0;
-  });
+  const FeatureSizes sizes(context.complex, [&](const Feature& f) { return context.counts(f); });
   std::vector<Box2> boxes;
   std::vector<std::uint32_t> item_of_vertex(context.mesh.vertices.size(), kNoIndex);
   for (std::uint32_t v = 0; v < context.mesh.vertices.size(); ++v) {

@@ -36,6 +36,7 @@ constexpr Entry kChecks[] = {
     {"collar", check_collar, asked_only, has_tau},
     {"intestine", check_intestine, asked_only, has_tau},
     {"max-angle", check_max_angle, asked_only, has_tau},
+    {"grading", check_grading, asked_only, always},
 };
 
 }  // namespace
