@@ -153,8 +153,8 @@ std::vector<AlgorithmInfo> make_registry() {
       "\\ge 1.123$ (Miller, Pav and Walkington 2003 prove it where segments are cut to equal "
       "shells first; "
       "tested here).";
-  terminator.checks = {"topology", "delaunay",  "input-vertices", "input-segments",
-                       "area",     "seditious", "radius-edge",    "size"};
+  terminator.checks = {"topology",  "delaunay",    "input-vertices", "input-segments", "area",
+                       "seditious", "radius-edge", "size",           "grading"};
 
   AlgorithmInfo chew;
   chew.id = "chew";
