@@ -76,6 +76,50 @@ TEST(Protection, BoundsOnTheSizeHoldAtAcuteAnglesToo) {
   }
 }
 
+TEST(Protection, AreaBoundsOfRegionsHoldAtAcuteAnglesToo) {
+  // A square in two parts by a zigzag with sharp corners, each with its own bound; a loose segment
+  // that leans on it, a vertex alone, and a hole with a needle.
+  Complex c;
+  testing::add_loop(&c, {{0, 0}, {4, 0}, {4, 4}, {0, 4}});
+  const auto zigzag = static_cast<std::uint32_t>(c.vertices.size());
+  for (const Point2& p : {Point2{0.5, 0.5}, {3.5, 0.7}, {0.6, 0.9}, {3.4, 1.1}, {2, 2.5}}) {
+    c.vertices.push_back(xyz(p));
+  }
+  for (const std::array<std::uint32_t, 2> s : {std::array<std::uint32_t, 2>{0, zigzag},
+                                               {zigzag, zigzag + 1},
+                                               {zigzag + 1, zigzag + 2},
+                                               {zigzag + 2, zigzag + 3},
+                                               {zigzag + 3, 2},
+                                               {zigzag + 3, zigzag + 4}}) {
+    c.segments.push_back(s);
+  }
+  c.vertices.push_back({3.8, 0.2, 0});
+  testing::add_loop(&c, {{0.5, 3}, {1.5, 3.05}, {0.5, 3.1}});
+  c.hole_rule = HoleRule::kSeeds;
+  c.holes = {{0.6, 3.05, 0}};
+  c.regions = {{{3.9, 0.1, 0}, 1, 0.02}, {{0.1, 3.9, 0}, 2, 0.002}};
+  for (const char* algorithm : {"collar", "intestine"}) {
+    const auto run = finish(c, options_of(algorithm));
+    ASSERT_TRUE(run);
+    ASSERT_EQ(run->status(), Status::kComplete);
+    expect_promises_kept(*run, 0);
+    const Mesh mesh = run->mesh();
+    ASSERT_EQ(mesh.cell_regions.size(), mesh.cell_count());
+    std::array<std::size_t, 2> cells{};
+    for (std::size_t i = 0; i < mesh.cell_count(); ++i) {
+      const std::uint32_t* v = mesh.cell(i);
+      const Point3 &p = mesh.vertices[v[0]], &q = mesh.vertices[v[1]], &r = mesh.vertices[v[2]];
+      const double area = 0.5 * ((q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x));
+      const bool first = mesh.cell_regions[i] == 1;
+      EXPECT_LE(area, (first ? 0.02 : 0.002) * (1 + 1e-12))
+          << algorithm << ", label " << mesh.cell_regions[i] << " at " << p.x << " " << p.y;
+      ++cells[first ? 0 : 1];
+    }
+    EXPECT_GT(cells[0], 300u);
+    EXPECT_GT(cells[1], 3000u);
+  }
+}
+
 TEST(Intestine, IsRuppertWhereNoAngleIsAcute) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const Complex complex = testing::random_grid(seed, 0);

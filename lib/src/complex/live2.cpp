@@ -12,6 +12,10 @@ Live2::Live2(const Complex& complex, Domain domain) : complex_(&complex), domain
   for (std::uint32_t i = 0; i < complex.vertices.size(); ++i) {
     add_vertex(xy(complex.vertices[i]), {FeatureKind::kVertex, i});
   }
+  for (const Region& region : complex.regions) {
+    if (region.max <= 0) continue;
+    if (least_area_bound_ == 0 || region.max < least_area_bound_) least_area_bound_ = region.max;
+  }
 }
 
 VertexId Live2::add_vertex(const Point2& p, Feature feature) {

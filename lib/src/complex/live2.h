@@ -119,9 +119,11 @@ class Live2 {
   bool maybe_in_domain(TriangleId t) const {
     return !triangulation_.is_ghost(t) && triangulation_.triangle(t).label != kOutside;
   }
-  /// Area bound of the region that t is in; 0 where there is none.
+  /// Area bound of the region that t is in; 0 where there is none. Of a triangle without a label,
+  /// the least of all: it is asked again when its label is found.
   double area_bound(TriangleId t) const {
     const std::uint32_t label = triangulation_.triangle(t).label;
+    if (label == kUnknown) return least_area_bound_;
     return label >= kFirstRegion ? complex_->regions[label - kFirstRegion].max : 0;
   }
   /// A trace wants to know of labels that change while their triangle lives.
@@ -151,6 +153,7 @@ class Live2 {
   std::vector<Subsegment> subsegments_;
   std::vector<double> protection_;  // by input vertex; empty if none is protected
   Shells shells_;
+  double least_area_bound_ = 0;  // of all regions; 0 where there is none
   bool classified_ = false;
   std::vector<std::vector<SubsegmentId>> incident_;  // by vertex; empty if not tracked
   bool tracking_ = false;
