@@ -289,6 +289,47 @@ export const texts = {
     join: 'Join',
     close: 'Close',
   },
+  repetition: {
+    title: 'It does not end',
+    zoom: 'Zoom into the repetition',
+    stop: 'Stop the zoom',
+    next: 'Next cycle',
+    previous: 'Previous cycle',
+    story: (vertex: number, factor: string, segments: string) =>
+      `At input vertex ${vertex} the ends of segments ${segments} are split again and again in the same order, each time ${factor} times as large.`,
+    vertex: 'Limit vertex',
+    factor: 'Shrink factor',
+    period: 'Period',
+    periodOf: (midpoints: number, circumcenters: number) => {
+      const parts = [];
+      if (midpoints > 0) parts.push(midpoints === 1 ? '1 midpoint' : `${midpoints} midpoints`);
+      if (circumcenters > 0)
+        parts.push(circumcenters === 1 ? '1 circumcenter' : `${circumcenters} circumcenters`);
+      const all = midpoints + circumcenters;
+      return `${formatCount(all)} ${all === 1 ? 'insertion' : 'insertions'}: ${parts.join(', ')}`;
+    },
+    each: 'Each single split',
+    eachOf: (factor: string) => `${factor} already, turned or mirrored`,
+    cycles: 'Cycles seen',
+    radius: 'Insertion radius',
+    radiusFrom: (first: string, last: string) => `${first} to ${last}`,
+    here: (cycle: number, cycles: number, times: string) =>
+      `Cycle ${cycle} of ${cycles}, magnified ${times} ×`,
+    why: (free: string) =>
+      `Nearer than ${free} to that vertex the input is nothing but segments that meet in a point: alike at every size. And the rules compare lengths with lengths: none of them knows a size. So what came again will come again, and there is no end.`,
+    stopped: (limit: string, left: number) =>
+      `Stopped by ${limit}; ${left === 1 ? '1 simplex is' : `${formatCount(left)} simplices are`} left unacceptable.`,
+    limits: {
+      vertices: 'the bound on the number of vertices',
+      'min-edge': 'the bound on the shortest edge',
+      seconds: 'the bound on time',
+      precision: 'the end of double precision',
+      memory: 'the bound on memory',
+      cancelled: 'hand',
+    },
+    left: 'What is left, and why',
+    beside: 'Compare with collars',
+  },
   compare: {
     title: 'Compare',
     tab: 'Compare',

@@ -181,6 +181,10 @@ function hasSelection(): boolean {
   return app.mode === 'draw' && vertices.size + segments.size + holes.size + regions.size > 0;
 }
 
+function repeats(): boolean {
+  return app.mode === 'watch' && app.repeating !== null;
+}
+
 const tools: Action[] = [
   {
     id: 'watch',
@@ -213,6 +217,31 @@ const tools: Action[] = [
 ];
 
 const view: Action[] = [
+  {
+    id: 'zoom-repetition',
+    title: texts.repetition.zoom,
+    now: () => (app.zoom.running ? texts.repetition.stop : texts.repetition.zoom),
+    group: 'View',
+    keys: ['z'],
+    enabled: repeats,
+    perform: () => app.zoom.toggle(),
+  },
+  {
+    id: 'next-cycle',
+    title: texts.repetition.next,
+    group: 'View',
+    keys: ['.'],
+    enabled: repeats,
+    perform: () => app.zoom.step(1),
+  },
+  {
+    id: 'previous-cycle',
+    title: texts.repetition.previous,
+    group: 'View',
+    keys: [','],
+    enabled: repeats,
+    perform: () => app.zoom.step(-1),
+  },
   {
     id: 'fit',
     title: 'Fit to the picture',

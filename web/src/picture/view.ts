@@ -50,6 +50,24 @@ export function panBy(view: View, dx: number, dy: number): View {
   return { x: view.x - dx / view.scale, y: view.y + dy / view.scale, scale: view.scale };
 }
 
+/** On the straight way from one view to another, at equal shares of the magnification: `t` from 0 to 1. */
+export function between(a: View, b: View, t: number): View {
+  const scale = a.scale * (b.scale / a.scale) ** t;
+  // The share of the way of the centers that keeps one place of the plane where it is on the canvas.
+  const same = Math.abs(b.scale / a.scale - 1) < 1e-9;
+  const share = same ? t : (1 / a.scale - 1 / scale) / (1 / a.scale - 1 / b.scale);
+  return { x: a.x + (b.x - a.x) * share, y: a.y + (b.y - a.y) * share, scale };
+}
+
+/** `view` after a zoom about a place of the plane, which stays where it is on the canvas. */
+export function zoomAbout(view: View, at: Point, factor: number): View {
+  return {
+    x: at[0] + (view.x - at[0]) / factor,
+    y: at[1] + (view.y - at[1]) / factor,
+    scale: view.scale * factor,
+  };
+}
+
 /**
  * Keeps the scale where doubles still tell pixels apart (about four ulps of the center to a pixel), and where the contents are
  * still more than a speck.

@@ -12,6 +12,7 @@ import { DocumentStore } from './document.svelte.ts';
 import { FeatureStore } from './features.svelte.ts';
 import { Pane } from './pane.svelte.ts';
 import { Settings } from './settings.svelte.ts';
+import { RepetitionZoom } from './zoom.svelte.ts';
 
 export type DialogId = 'gallery' | 'export' | 'share' | 'help';
 export type Tab = 'why' | 'mesh' | 'setup' | 'compare';
@@ -82,6 +83,12 @@ export class App {
       : this.first.playback,
   );
 
+  /** The pane whose run repeats itself: the one in the panel, or the other. */
+  readonly repeating = $derived(
+    [this.pane, ...this.panes].find((pane) => pane.repetition !== null) ?? null,
+  );
+  readonly zoom = new RepetitionZoom(this);
+
   readonly algorithms = $derived<readonly AlgorithmInfo[]>(
     (this.hello?.algorithms ?? []).filter((a) => a.dimension === 2),
   );
@@ -142,6 +149,7 @@ export class App {
     this.mode = 'watch';
     const { first, panes, clock } = this;
     clock.pause();
+    this.zoom.reset();
     if (this.comparing) clock.position = 0;
     let loaded = 0;
     const onLoaded = () => {
@@ -159,10 +167,8 @@ export class App {
   /** Puts a second algorithm beside the first one, on the same input. */
   async compare(asked?: Partial<ComparisonOptions>): Promise<void> {
     if (!this.hello) await this.begin();
-    const own = this.first.parameters.options(this.algorithms);
-    const other = own.algorithm === 'collar' ? 'ruppert' : 'collar';
     const second = this.comparison.open({
-      options: asked?.options ?? { ...own, algorithm: other },
+      options: asked?.options ?? this.counterpart(),
       pace: asked?.pace ?? 'vertices',
     });
     this.tab = 'compare';
@@ -174,6 +180,7 @@ export class App {
 
   closeComparison(): void {
     if (!this.comparing) return;
+    this.zoom.reset();
     this.comparison.close();
     this.side = 0;
     if (this.tab === 'compare') this.tab = 'why';
@@ -256,12 +263,25 @@ export class App {
   discardRun(): void {
     this.comparison.clock.pause();
     this.comparison.clock.position = 0;
+    this.zoom.reset();
     for (const pane of this.panes) pane.discard();
   }
 
   say(text: string, tone: Notice['tone'] = 'info'): void {
     this.notice = { text, tone };
     this.announcement = text;
+  }
+
+  /** What a run is best held against: an algorithm that protects small angles against one that does not. */
+  private counterpart(): RunOptions {
+    const own = this.first.parameters.options(this.algorithms);
+    if (own.algorithm === 'collar') return { ...own, algorithm: 'ruppert' };
+    const smallest = this.first.run.report?.input.smallest_angle_degrees ?? 0;
+    // Where no angle is acute and the run repeats itself all the same, collars help only at every vertex.
+    const beside: RunOptions = { ...own, algorithm: 'collar' };
+    if (this.first.repetition && smallest >= 90)
+      beside.parameters = { ...own.parameters, protect: 'all' };
+    return beside;
   }
 
   private optionsOf(pane: Pane): RunOptions {

@@ -1,4 +1,5 @@
 import type { CoreClient } from '../core/client.ts';
+import { findRepetitions } from '../replay/repetition.ts';
 import type { Hit, Picture } from '../shared/types.ts';
 import { OverlayStore } from './overlays.svelte.ts';
 import { ParameterStore } from './parameters.svelte.ts';
@@ -13,6 +14,13 @@ export class Pane {
   readonly parameters = new ParameterStore();
   picked = $state.raw<Hit | null>(null);
   picture = $state.raw<Picture | null>(null);
+
+  /** Why the run would not have ended, where it was stopped and that can be seen. */
+  readonly repetition = $derived.by(() => {
+    const { phase, trace } = this.run;
+    if (!trace || (phase !== 'limit' && phase !== 'cancelled')) return null;
+    return findRepetitions(trace)[0] ?? null;
+  });
 
   constructor(
     readonly core: CoreClient,

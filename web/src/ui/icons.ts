@@ -19,6 +19,7 @@ export const icons = {
   close: 'M6 6l12 12M18 6 6 18',
   panel: 'M4 5h16v14H4zM14.5 5v14',
   compare: 'M3.5 5h7v14h-7zM13.5 5h7v14h-7z',
+  zoom: 'M3.5 3.5h17v17h-17zM7.5 7.5h9v9h-9zM10.5 10.5h3v3h-3z',
   fit: 'M4 9V4h5M15 4h5v5M20 15v5h-5M9 20H4v-5',
   plus: 'M12 5v14M5 12h14',
   minus: 'M5 12h14',
