@@ -14,6 +14,7 @@ export interface Repetition {
   readonly at: Point;
   readonly factor: number; // size of a cycle in that of the one before: less than 1
   readonly cycles: number; // whole ones that were seen
+  readonly exhausted: boolean; // the last ones are as small as double precision tells apart
   readonly free: number; // nearer than this nothing of the input is there but the segments at the vertex
   /** Positions at which the cycles begin, right after their first split; one more for the end of the last one. */
   readonly starts: readonly number[];
@@ -33,9 +34,15 @@ export interface Repetition {
 const LEAST_CYCLES = 3;
 /** Vertices are rounded; a cycle is alike to the one before within this part of its size. */
 const ALIKE = 1e-6;
+/** A new vertex is off by a few units in the last place of the coordinates of the vertex it is near to. */
+const ROUNDING = 16 * Number.EPSILON;
+/** Below so many roundings shapes are noise, and what is left may happen to be acceptable. */
+const EXHAUSTED = 1e4;
 const LONGEST_PERIOD = 96;
 /** A run that does not end does so in the last part of its trace. */
 const MOST_EVENTS = 400_000;
+/** What happens around the end subsegments takes some cycles until it repeats, too. */
+const STEADY_CYCLES = 12;
 /** Insertions of a cycle that are looked at; those elsewhere are in between. */
 const MOST_INSERTIONS = 600;
 
@@ -58,10 +65,25 @@ export function findRepetitions(trace: Trace): Repetition[] {
     // Towards a small feature sizes shrink by a half again and again, too; they do no more once they are as small as it is.
     const free = freeRadius(trace, vertex);
     const pulses = all.filter((p) => p.length < free);
-    const stretch = periodicStretch(pulses);
-    if (stretch) found.push(account(trace, vertex, free, pulses, stretch));
+    const at = point(trace.coordinates.data, vertex);
+    const slack = ROUNDING * Math.max(Math.abs(at[0]), Math.abs(at[1]));
+    const stretch = periodicStretch(pulses, slack);
+    if (stretch) found.push(account(trace, vertex, free, slack, pulses, stretch));
   }
   return found.sort((a, b) => b.cycles - a.cycles || a.vertex - b.vertex);
+}
+
+/** Can a trace hold splits down to the end of double precision? A quick look. */
+export function reachesPrecision(trace: Trace): boolean {
+  let magnitude = 0;
+  let least = Number.POSITIVE_INFINITY;
+  for (let v = 0; v < trace.vertexCount; v++) {
+    const [x, y] = point(trace.coordinates.data, v);
+    magnitude = Math.max(magnitude, Math.abs(x), Math.abs(y));
+    const radius = trace.vertexRadius.data[v]!;
+    if (v >= trace.input.vertexCount && radius > 0) least = Math.min(least, radius);
+  }
+  return least < 100 * EXHAUSTED * ROUNDING * magnitude;
 }
 
 function endSplits(trace: Trace): Map<number, Pulse[]> {
@@ -130,61 +152,81 @@ interface Stretch {
   readonly factor: number;
 }
 
-/** The shortest period with which the pulses repeat up to the end of the list, but for the last ones that a limit cut off. */
-function periodicStretch(pulses: readonly Pulse[]): Stretch | null {
+/**
+ * The shortest period with which the pulses repeat, up to the last ones: a limit refuses one and lets another pass, and at
+ * the end of double precision lengths are noise. `slack`: rounding of a coordinate at the vertex.
+ */
+function periodicStretch(pulses: readonly Pulse[], slack: number): Stretch | null {
   const most = Math.min(LONGEST_PERIOD, Math.floor(pulses.length / (LEAST_CYCLES + 1)));
   for (let period = 1; period <= most; period++) {
-    for (let to = pulses.length - 1; to >= pulses.length - 1 - 2 * period; to--) {
-      const last = pulses[to];
-      const before = pulses[to - period];
-      if (!last || !before) break;
-      const factor = last.length / before.length;
+    const tail = Math.max(2 * period, pulses.length >> 2);
+    for (let end = pulses.length - 1; end >= LEAST_CYCLES * period; end--) {
+      // The factor is measured where rounding is far below a length.
+      if (slack > 0.1 * ALIKE * pulses[end]!.length) continue;
+      const factor = pulses[end]!.length / pulses[end - period]!.length;
       if (!(factor < 1 - ALIKE)) continue;
-      let from = to + 1 - period;
-      while (from > 0 && comesAgain(pulses[from - 1]!, pulses[from - 1 + period]!, factor)) from--;
-      if (to - from < LEAST_CYCLES * period) continue;
-      return { from, to, period, factor };
+      const isAlike = (i: number) => comesAgain(pulses[i - period]!, pulses[i]!, factor, slack);
+      let from = end;
+      while (from >= period && isAlike(from)) from--;
+      from += 1 - period;
+      if (end - from < LEAST_CYCLES * period) continue;
+      let to = end;
+      while (to + 1 < pulses.length && isAlike(to + 1)) to++;
+      if (to >= pulses.length - 1 - tail) return { from, to, period, factor: powerOfTwo(factor) };
+      break; // it came to an end by itself
     }
   }
   return null;
 }
 
-function comesAgain(before: Pulse, now: Pulse, factor: number): boolean {
-  if (before.segment !== now.segment) return false;
-  if (!close(now.length, factor * before.length) || !close(now.radius, factor * before.radius))
-    return false;
-  if (!before.cause || !now.cause) return before.cause === now.cause;
-  return (
-    distance(now.cause, [factor * before.cause[0], factor * before.cause[1]]) <= ALIKE * now.length
-  );
+/** Midpoints halve: where a factor is measured near a power of two it is one. */
+function powerOfTwo(factor: number): number {
+  const power = 2 ** Math.round(Math.log2(factor));
+  return close(factor, power) ? power : factor;
 }
 
-function close(x: number, y: number): boolean {
-  return Math.abs(x - y) <= ALIKE * Math.abs(y);
+function comesAgain(before: Pulse, now: Pulse, factor: number, slack: number): boolean {
+  if (before.segment !== now.segment) return false;
+  if (!close(now.length, factor * before.length, slack)) return false;
+  if (!close(now.radius, factor * before.radius, slack)) return false;
+  if (!before.cause || !now.cause) return before.cause === now.cause;
+  const goal: Point = [factor * before.cause[0], factor * before.cause[1]];
+  return distance(now.cause, goal) <= ALIKE * now.length + slack;
+}
+
+function close(x: number, y: number, slack = 0): boolean {
+  return Math.abs(x - y) <= ALIKE * Math.abs(y) + slack;
 }
 
 function account(
   trace: Trace,
   vertex: number,
   free: number,
+  slack: number,
   pulses: readonly Pulse[],
   { from, to, period, factor }: Stretch,
 ): Repetition {
   const at = point(trace.coordinates.data, vertex);
   const heads: Pulse[] = [];
-  for (let i = from; i <= to; i += period) heads.push(pulses[i]!);
+  // Where shapes are noise nothing can be seen to come again.
+  for (let i = from; i <= to; i += period)
+    if (heads.length <= LEAST_CYCLES || pulses[i]!.length > EXHAUSTED * slack)
+      heads.push(pulses[i]!);
   const cycles = heads.length - 1;
   const lastCycle = pulses.slice(to - period + 1, to + 1);
-  const again = insertionsThatComeAgain(trace, at, heads.slice(-3), factor);
-  const ratio = pulses[to]!.length / pulses[to - 1]!.length;
-  const isEven = lastCycle.every((p, i) =>
-    close(p.length, ratio * pulses[to - period + i]!.length),
+  const steady = Math.max(0, Math.min(cycles - 2, STEADY_CYCLES));
+  const again = insertionsThatComeAgain(trace, at, heads.slice(steady, steady + 3), factor);
+  const middle = from + steady * period;
+  const ratio = pulses[middle + 1]!.length / pulses[middle]!.length;
+  const isEven = lastCycle.every((_, i) =>
+    close(pulses[middle + i + 1]!.length, ratio * pulses[middle + i]!.length),
   );
   return {
     vertex,
     at,
     factor,
     cycles,
+    exhausted: pulses[to]!.length < EXHAUSTED * slack,
     free,
     starts: heads.map((p) => p.event + 1),
     radii: heads.map((p) => p.radius),

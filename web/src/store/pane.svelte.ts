@@ -1,5 +1,5 @@
 import type { CoreClient } from '../core/client.ts';
-import { findRepetitions } from '../replay/repetition.ts';
+import { findRepetitions, reachesPrecision } from '../replay/repetition.ts';
 import type { Hit, Picture } from '../shared/types.ts';
 import { OverlayStore } from './overlays.svelte.ts';
 import { ParameterStore } from './parameters.svelte.ts';
@@ -15,11 +15,13 @@ export class Pane {
   picked = $state.raw<Hit | null>(null);
   picture = $state.raw<Picture | null>(null);
 
-  /** Why the run would not have ended, where it was stopped and that can be seen. */
+  /** Why the run would not have ended, where a limit (or the end of double precision) stopped it and that can be seen. */
   readonly repetition = $derived.by(() => {
-    const { phase, trace } = this.run;
-    if (!trace || (phase !== 'limit' && phase !== 'cancelled')) return null;
-    return findRepetitions(trace)[0] ?? null;
+    const { busy, phase, trace } = this.run;
+    if (!trace || busy) return null;
+    if (phase !== 'complete') return findRepetitions(trace)[0] ?? null;
+    if (!reachesPrecision(trace)) return null;
+    return findRepetitions(trace).find((r) => r.exhausted) ?? null;
   });
 
   constructor(
