@@ -7,8 +7,9 @@
 #include "circumball/report.h"
 #include "circumball/verify.h"
 #include "complex/shells.h"
-#include "predicates/elementary.h"
+#include "support/acute_complexes.h"
 #include "support/complexes.h"
+#include "support/needles.h"
 
 namespace circumball {
 namespace {
@@ -16,57 +17,6 @@ namespace {
 using testing::finish;
 using testing::options_of;
 using testing::Random;
-
-Point3 polar(double radius, double degrees) {
-  const double radians = degrees * (elementary::kPi / 180);
-  return {radius * elementary::cos(radians), radius * elementary::sin(radians), 0};
-}
-
-/// Segments of random lengths from one vertex, neighbors `angle` to twice that apart; in a square.
-Complex fan(Random* random, std::uint32_t count, double angle) {
-  Complex c;
-  c.vertices.push_back({0, 0, 0});
-  double at = 360 * random->unit(), turned = 0;
-  for (std::uint32_t i = 0; i < count && turned < 330; ++i) {
-    c.segments.push_back({0, static_cast<std::uint32_t>(c.vertices.size())});
-    c.vertices.push_back(polar(0.2 + 0.8 * random->unit(), at));
-    const double step = angle * (1 + random->unit());
-    at += step;
-    turned += step;
-  }
-  testing::add_square(&c, -2, -2, 4);
-  return c;
-}
-
-/// A star-shaped polygon: `points` needle tips, each of an angle of `angle` degrees.
-Complex star(std::uint32_t points, double angle) {
-  Complex c;
-  const double half = 180.0 / points;
-  // The corners between the tips are where rays from the tips at half the angle meet.
-  const double a = 0.5 * angle * (elementary::kPi / 180), b = half * (elementary::kPi / 180);
-  const double inner = elementary::sin(a) / elementary::sin(a + b);
-  for (std::uint32_t i = 0; i < points; ++i) {
-    c.vertices.push_back(polar(1, 2 * half * i));
-    c.vertices.push_back(polar(inner, 2 * half * i + half));
-  }
-  for (std::uint32_t i = 0; i < 2 * points; ++i) c.segments.push_back({i, (i + 1) % (2 * points)});
-  return c;
-}
-
-/// Needle teeth of the given angle side by side on a bar.
-Complex comb(std::uint32_t teeth, double angle) {
-  Complex c;
-  const double width = 2 * elementary::sin(0.5 * angle * (elementary::kPi / 180));
-  c.vertices = {{0, -0.3, 0}, {1.0 * teeth, -0.3, 0}};
-  for (std::uint32_t i = teeth; i-- > 0;) {
-    c.vertices.push_back({i + 0.5 + 0.5 * width, 0, 0});
-    c.vertices.push_back({i + 0.5, 1, 0});
-    c.vertices.push_back({i + 0.5 - 0.5 * width, 0, 0});
-  }
-  const auto n = static_cast<std::uint32_t>(c.vertices.size());
-  for (std::uint32_t i = 0; i < n; ++i) c.segments.push_back({i, (i + 1) % n});
-  return c;
-}
 
 std::size_t expect_promises(const Complex& complex, Options options, const std::string& what) {
   options.limits.max_vertices = 200000;
@@ -103,10 +53,10 @@ TEST(ShellRadius, IsThePowerOfTwoNearestToHalf) {
 }
 
 TEST(Terminator, EndsOnFansAndLeavesSeditiousTrianglesAlone) {
-  for (std::uint64_t seed = 0; seed < 150; ++seed) {
+  for (std::uint64_t seed = 0; seed < 80; ++seed) {
     Random random(seed);
     const double angle = seed % 10 == 0 ? 0.01 : seed % 10 == 1 ? 0.3 : seed % 2 ? 3 : 20;
-    const Complex c = fan(&random, 2 + random.below(24), angle);
+    const Complex c = testing::fan(&random, 2 + random.below(24), angle);
     const double asked = seed % 3 == 0 ? 26.45 : seed % 3 == 1 ? 20.7 : 15;
     expect_promises(c, terminator(asked, seed % 4 == 0),
                     "seed " + std::to_string(seed) + ", angle " + std::to_string(angle));
@@ -116,11 +66,11 @@ TEST(Terminator, EndsOnFansAndLeavesSeditiousTrianglesAlone) {
 TEST(Terminator, EndsOnStarsAndCombsWithNeedles) {
   for (const double angle : {40.0, 10.0, 1.0, 0.1, 0.01}) {
     for (const bool off_centers : {false, true}) {
-      expect_promises(star(5, angle), terminator(20.7, off_centers),
+      expect_promises(testing::star(5, angle), terminator(20.7, off_centers),
                       "star of " + std::to_string(angle));
-      expect_promises(star(12, std::min(angle, 29.0)), terminator(26, off_centers),
+      expect_promises(testing::star(12, std::min(angle, 29.0)), terminator(26, off_centers),
                       "star of " + std::to_string(angle));
-      expect_promises(comb(6, angle), terminator(20.7, off_centers),
+      expect_promises(testing::comb(6, angle), terminator(20.7, off_centers),
                       "comb of " + std::to_string(angle));
     }
   }
@@ -145,6 +95,15 @@ Complex all_edges(Random* random, std::uint32_t count, double flatten) {
   return points;
 }
 
+TEST(Terminator, EndsOnRandomComplexesOfAllKinds) {
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    const double least = seed % 25 == 0 ? 0.01 : seed % 5 == 1 ? 0.3 : seed % 2 ? 3 : 20;
+    expect_promises(testing::random_acute_complex(seed, least),
+                    terminator(seed % 3 ? 20.7 : 26.45, seed % 4 == 0),
+                    "seed " + std::to_string(seed));
+  }
+}
+
 TEST(Terminator, EndsWhereSegmentsHaveShellsAtBothEnds) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     Random random(seed);
@@ -158,7 +117,7 @@ TEST(Terminator, EndsWhereSegmentsHaveShellsAtBothEnds) {
 TEST(Terminator, TellsShellsFarFromTheOrigin) {
   Random random(3);
   for (int i = 0; i < 20; ++i) {
-    Complex c = fan(&random, 6, 8);
+    Complex c = testing::fan(&random, 6, 8);
     const std::size_t here = expect_promises(c, terminator(20.7, false), "at the origin");
     for (Point3& p : c.vertices) p = {1e6 + 1e-3 * p.x, -3e6 + 1e-3 * p.y, 0};
     const std::size_t there = expect_promises(c, terminator(20.7, false), "far away");
@@ -176,7 +135,7 @@ TEST(Terminator, IsRuppertWhereNoAngleIsAcute) {
 
 TEST(Terminator, ScalingByAPowerOfTwoScalesTheMesh) {
   Random random(11);
-  Complex c = fan(&random, 9, 12);
+  Complex c = testing::fan(&random, 9, 12);
   const Mesh mesh = finish(c, options_of("terminator"))->mesh();
   for (Point3& p : c.vertices) p = {8 * p.x, 8 * p.y, 0};
   const Mesh scaled = finish(c, options_of("terminator"))->mesh();
@@ -191,12 +150,12 @@ TEST(Terminator, SizeBoundsHoldForSeditiousTrianglesToo) {
   Random random(5);
   Options options = terminator(20.7, false);
   options.size = "0.05";
-  expect_promises(fan(&random, 7, 10), options, "size");
+  expect_promises(testing::fan(&random, 7, 10), options, "size");
 }
 
 TEST(SeditiousCheck, TellsATriangleWithoutASeditiousEdge) {
   Random random(5);
-  const Complex c = fan(&random, 7, 10);
+  const Complex c = testing::fan(&random, 7, 10);
   const auto run = finish(c, options_of("delaunay"));
   VerifyOptions options;
   options.tau = 1.4145;
