@@ -6,6 +6,7 @@
 #include "circumball/feature_size.h"
 #include "circumball/report.h"
 #include "circumball/verify.h"
+#include "predicates/elementary.h"
 #include "quality/insertion_radius.h"
 #include "support/acute_complexes.h"
 #include "support/complexes.h"
@@ -120,6 +121,23 @@ TEST(Theorem5_6, ConstantOfGradingIsReportedWithItsVertex) {
     }
     const FeatureSizes sizes(run->complex());
     EXPECT_DOUBLE_EQ(*check.observed, sizes.local_by_brute_force(xy(mesh.vertices[q])).radius / r);
+    // Small angles decide: collar vertices at distance d >= 0.225 lfs(q0) from q0, 2 d sin(alpha/2)
+    // apart, where lfs is at most lfs(q0) + d. No other vertex was met with more.
+    const double alpha = smallest_angle_degrees(run->complex());
+    if (alpha < 30) {
+      const double sine = elementary::sin(alpha * (elementary::kPi / 180));
+      EXPECT_LE(*check.observed * sine, 1 + 1 / 0.225) << seed;
+    }
+  }
+}
+
+TEST(Grading, ABoundOnTheSizeIsPartOfIt) {
+  for (const char* size : {"0.3", "0.03"}) {
+    Options options = options_of("ruppert");
+    options.size = size;
+    const Check check = grading(*finish(testing::unit_square(), options));
+    EXPECT_LE(*check.observed, 2) << check.detail;
+    EXPECT_NE(check.detail.find(size), std::string::npos) << check.detail;
   }
 }
 

@@ -28,6 +28,10 @@ double smallest_angle(const VerifyContext& context) {
 /// 5.10), as it is observed: the thesis gives no number to check. Where the input has an acute
 /// angle alpha the proofs let C grow like 1 / sin(alpha), so C sin(alpha) is told, too.
 ///
+/// Where a bound h on the circumradius was given, triangles are split above it, too: then it is
+/// min(lfs(q), h) <= C r_q, which the same proof gives (h is Lipschitz, and r_q > h there). Sizes
+/// that vary are not known here; they make C larger.
+///
 /// lfs is of the input, by the oracle. Vertices are numbered by birth, so r_q is the distance to
 /// the nearest vertex of a lower number; where the numbers mean something else, so does C.
 Check check_grading(const VerifyContext& context) {
@@ -51,6 +55,8 @@ Check check_grading(const VerifyContext& context) {
     number.push_back(v);
   }
   const std::vector<double> radius = insertion_radii(points);
+  const double size = context.options.size.value_or(0);
+  const double largest = size > 0 ? size : std::numeric_limits<double>::infinity();
   double worst = 0;
   std::size_t looked_at = 0;
   for (std::size_t k = 0; k < points.size(); ++k) {
@@ -58,7 +64,7 @@ Check check_grading(const VerifyContext& context) {
     const double lfs = sizes.local(points[k]).radius;
     if (std::isinf(lfs) || std::isinf(radius[k])) continue;  // no two disjoint features; the first
     ++looked_at;
-    const double ratio = lfs / radius[k];
+    const double ratio = std::min(lfs, largest) / radius[k];
     if (!std::isfinite(ratio)) {
       ++bad;
       check.worst = {number[k]};
@@ -78,7 +84,8 @@ Check check_grading(const VerifyContext& context) {
     return check;
   }
   check.observed = worst;
-  check.detail = "lfs(q) <= C r_q with C = " + value_text(worst) + ", attained at vertex " +
+  check.detail = (size > 0 ? "min(lfs(q), " + value_text(size) + ")" : std::string("lfs(q)")) +
+                 " <= C r_q with C = " + value_text(worst) + ", attained at vertex " +
                  vertices_text(check.worst) + ", over " + std::to_string(looked_at) +
                  (looked_at == 1 ? " Steiner vertex" : " Steiner vertices");
   const double alpha = smallest_angle(context);
