@@ -5,7 +5,7 @@
 #   setup.sh bench   and what the benchmarks need
 set -eu
 
-build='cmake ninja-build emscripten nlohmann-json3-dev libcli11-dev libfmt-dev'
+build='cmake ninja-build emscripten nlohmann-json3-dev libcli11-dev libfmt-dev libeigen3-dev'
 test='g++ clang clang-format googletest libgtest-dev libboost-dev libcgal-dev chromium fonts-dejavu-core'
 bench='libbenchmark-dev'
 case "${1:-build}" in

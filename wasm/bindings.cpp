@@ -21,59 +21,9 @@
 #include "circumball/registry.h"
 #include "circumball/report.h"
 #include "json_face.h"
+#include "session.h"
 
 namespace circumball {
-
-namespace {
-
-using emscripten::val;
-
-// A run and what it records. The sink outlives the run that writes to it: members die in reverse
-// order.
-struct Session {
-  Complex input;
-  Trace trace;
-  std::unique_ptr<Run> run;
-};
-
-std::map<int, Session>& sessions() {
-  static std::map<int, Session> all;
-  return all;
-}
-
-Session* find(int id) {
-  const auto found = sessions().find(id);
-  return found == sessions().end() ? nullptr : &found->second;
-}
-
-template <class T>
-val copied(const T* data, std::size_t size) {
-  return val(emscripten::typed_memory_view(size, data)).template call<val>("slice");
-}
-template <class T>
-val copied(const std::vector<T>& data) {
-  return copied(data.data(), data.size());
-}
-val copied_bytes(const std::string& bytes) {
-  return copied(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
-}
-
-template <class Function>
-val guarded(const val& fallback, Function function) {
-  try {
-    return function();
-  } catch (...) {
-    return fallback;
-  }
-}
-
-val failure(const std::string& error) {
-  val result = val::object();
-  result.set("ok", false);
-  result.set("error", error);
-  result.set("files", val::array());
-  return result;
-}
 
 val mesh_arrays(const Mesh& mesh) {
   const std::size_t dimension = static_cast<std::size_t>(mesh.dimension);
@@ -99,6 +49,16 @@ val mesh_arrays(const Mesh& mesh) {
   result.set("cellRegions", copied(mesh.cell_regions));
   result.set("vertexFeatures", copied(features));
   result.set("edges", copied(edges));
+  return result;
+}
+
+namespace {
+
+val failure(const std::string& error) {
+  val result = val::object();
+  result.set("ok", false);
+  result.set("error", error);
+  result.set("files", val::array());
   return result;
 }
 

@@ -146,6 +146,111 @@ export interface ReadAnswer {
   defects: Defect[];
 }
 
+/** A function u(x, y) worth looking at with linear elements (docs/fem.md). */
+export interface FemFunction {
+  id: string;
+  title: string;
+  expression: string;
+  /** What is to be seen with it. */
+  sentence: string;
+  /** In which Sobolev spaces it is. */
+  regularity: string;
+  /** Corners of the domain that it is meant for. */
+  outline: [number, number][];
+  /** Whether it is zero on the boundary of that domain (as Theorem 7.12 asks). */
+  zeroOnBoundary: boolean;
+}
+
+export interface FemFamilyInfo {
+  id: string;
+  title: string;
+  sentence: string;
+}
+
+/** The sizes that error estimates speak of; angles in degrees. */
+export interface FemSize {
+  vertices: number;
+  cells: number;
+  flatCells: number;
+  h: number;
+  maxCircumradius: number;
+  minAngle: number;
+  maxAngle: number;
+  area: number;
+}
+
+/** A continuous, piecewise linear function on a mesh, and its distance from u. Where `ok` is false, `error` says why. */
+export interface FemField {
+  ok: boolean;
+  error: string;
+  /** A sentence that what was measured needs, or empty. */
+  warning: string;
+  size: FemSize;
+  /** Norm of the error in L2, seminorm in H1. */
+  l2: number;
+  h1: number;
+  /** Seminorms of u itself; those that are infinite come out as some large number. */
+  u: { l2: number; h1: number; h2: number };
+  nodal: Float64Array; // a value for each vertex of the mesh
+  cellL2: Float64Array; // the error on each cell
+  cellH1: Float64Array;
+  /** Evaluations of u, and cells on which the quadrature did not settle. */
+  points: number;
+  unsettledCells: number;
+}
+
+export interface FemPoisson extends FemField {
+  unknowns: number;
+  factorEntries: number;
+  /** Whether the load was taken weakly, since u is made of pieces. */
+  weakLoad: boolean;
+}
+
+export interface FemAveraged extends FemField {
+  averagingRadius: number;
+}
+
+/** One triangle, and the constant of Theorem 7.10 on it. Arrays go by corners a, b, c and the edges opposite to them. */
+export interface FemTriangle {
+  ok: boolean;
+  error: string;
+  lengths: number[];
+  angles: number[]; // degrees
+  h: number;
+  area: number;
+  circumradius: number;
+  inradius: number;
+  radiusEdge: number;
+  circumcenter: [number, number];
+  /** T_h(alpha, beta) of Figure 7.2. */
+  alpha: number;
+  beta: number;
+  /** Proposition 7.5: the circumradius is at least this. */
+  circumradiusBound: number;
+  /** The largest |u - Iu|_1 / |u|_2 among quadratic u, and the same for the norm in L2. */
+  h1Constant: number;
+  l2Constant: number;
+  /** Coefficients of x^2, xy, y^2 of the quadratic that attains h1Constant. */
+  worstQuadratic: number[];
+  /** Kobayashi's bound on |u - Iu|_1 / |u|_2 for all u in H^2; less than the circumradius. */
+  kobayashiBound: number;
+  /** For the expression, if there was one; else `interpolationError` may say why. */
+  interpolation: { l2: number; h1: number; u: { l2: number; h1: number; h2: number } } | null;
+  interpolationError: string;
+}
+
+/** A mesh of one size, with what linear elements make of u on it. */
+export interface FemStudy {
+  ok: boolean;
+  error: string;
+  defects: Defect[];
+  /** How the run ended: 'complete', or by which limit. */
+  status: RunStatus;
+  mesh: MeshArrays | null;
+  interpolation: FemField | null;
+  poisson: FemPoisson | null;
+}
+
 /** Every function returns a plain object or typed arrays that the caller owns; nothing throws, nothing must be deleted. */
 export interface CircumballModule {
   version(): string;
@@ -191,6 +296,37 @@ export interface CircumballModule {
   ): { ok: boolean; error: string; files: { extension: string; bytes: Uint8Array }[] };
   meshExtensions(dimension: number): string[];
   release(run: number): void;
+
+  /** Linear finite elements: chapter 7 of the thesis as a laboratory (docs/fem.md). Expressions are those of `size`. */
+  femFunctions(): FemFunction[];
+  femFamilies(): FemFamilyInfo[];
+  /** A mesh of Figure 7.1 with n columns; the larger `degeneration`, the narrower its triangles. */
+  femFamily(
+    id: string,
+    n: number,
+    degeneration: number,
+  ): { ok: boolean; error: string; mesh: MeshArrays | null };
+  /** The linear interpolant on the mesh of a run, or on any other mesh of the plane. */
+  femInterpolate(mesh: number | MeshArrays, expression: string): FemField;
+  /** -Laplace(v) = -Laplace(u) with v = u on the boundary. */
+  femPoisson(mesh: number | MeshArrays, expression: string): FemPoisson;
+  /** The averaged interpolant of Theorem 7.12; `h` is at least the longest edge, 0 for just that. */
+  femAveraged(mesh: number | MeshArrays, expression: string, h: number): FemAveraged;
+  /** One triangle; without interpolation if the expression is empty. */
+  femTriangle(
+    ax: number,
+    ay: number,
+    bx: number,
+    by: number,
+    cx: number,
+    cy: number,
+    expression: string,
+  ): FemTriangle;
+  /**
+   * Meshes the complex with the given options and size, interpolates, and solves. One point of a study: call it for one
+   * size after the other. Without `maxVertices` among the options, 200,000 is taken.
+   */
+  femStudy(complex: string, options: string, expression: string, size: number): FemStudy;
 }
 
 export default function createCircumball(options?: {

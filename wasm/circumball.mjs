@@ -12,6 +12,16 @@ async function bytesInNode() {
 /** Embind takes byte arrays of its own realm only; tests and frames may bring others. */
 const ownBytes = (bytes) => (bytes instanceof Uint8Array ? bytes : new Uint8Array(bytes));
 
+/** A run's number, or arrays: of this realm, and of the types that the core reads them as. */
+function ownMesh(mesh) {
+  if (typeof mesh === 'number') return mesh;
+  return {
+    dimension: mesh.dimension,
+    vertices: new Float64Array(mesh.vertices),
+    cells: new Uint32Array(mesh.cells),
+  };
+}
+
 const noFile = {
   ok: false,
   format: '',
@@ -65,5 +75,17 @@ export default async function createCircumball(options = {}) {
     writeComplex: (complex, extension) => core.writeComplex(complex, extension),
     meshExtensions: (dimension) => core.meshExtensions(dimension),
     release: (run) => core.release(run),
+    femFunctions: () => core.femFunctions(),
+    femFamilies: () => core.femFamilies(),
+    femFamily: (id, n, degeneration) => core.femFamily(id, n, degeneration),
+    femInterpolate: (mesh, expression) => core.femInterpolate(ownMesh(mesh), expression),
+    femPoisson: (mesh, expression) => core.femPoisson(ownMesh(mesh), expression),
+    femAveraged: (mesh, expression, h) => core.femAveraged(ownMesh(mesh), expression, h),
+    femTriangle: (ax, ay, bx, by, cx, cy, expression) =>
+      core.femTriangle(ax, ay, bx, by, cx, cy, expression),
+    femStudy(complex, runOptions, expression, size) {
+      const answer = core.femStudy(complex, runOptions, expression, size);
+      return { ...answer, defects: JSON.parse(answer.defects) };
+    },
   };
 }

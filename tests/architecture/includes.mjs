@@ -19,7 +19,7 @@ export const layers = {
   algorithms: ['predicates', 'delaunay', 'complex', 'refinement', 'protection'], // not the oracle that they are checked with
   // Verification may reason about complexes as `check` does; what it shares with the mesher is looked at below.
   quality: ['predicates', 'complex', 'feature_size'],
-  fem: ['predicates', 'expression'],
+  fem: ['predicates', 'expression', 'complex/box_tree'],
   io: ['predicates/elementary'], // rotations of drawings are the same everywhere
   report: [],
 };

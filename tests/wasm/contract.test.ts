@@ -245,3 +245,99 @@ describe('writeComplex', () => {
     expect(core.writeComplex('nonsense', '.poly').ok).toBe(false);
   });
 });
+
+describe('linear elements', () => {
+  const smooth = 'sin(pi*x) * sin(pi*y)';
+
+  it('lists functions and families, and makes a mesh of each family', () => {
+    expectDeclared('femFunctions', core.femFunctions());
+    expectDeclared('femFamilies', core.femFamilies());
+    for (const { expression } of core.femFunctions()) {
+      expect(
+        core.femTriangle(0.1, 0.1, 0.5, 0.2, 0.2, 0.6, expression).interpolation,
+      ).not.toBeNull();
+    }
+    for (const { id } of core.femFamilies()) {
+      const answer = core.femFamily(id, 4, 3);
+      expectDeclared('femFamily', answer);
+      const field = core.femInterpolate(answer.mesh!, 'x^2');
+      expectDeclared('femInterpolate', field);
+      expect(field.cellH1).toHaveLength(answer.mesh!.cells.length / 3);
+      expect(field.size.area).toBeCloseTo(1, 12);
+    }
+    for (const [id, n, degeneration] of [
+      ['nobody', 4, 4],
+      ['narrow', 0, 4],
+      ['narrow', 1e9, 1e9],
+      ['narrow', Number.NaN, 2],
+    ] as const) {
+      const answer = core.femFamily(id, n, degeneration);
+      expectDeclared('femFamily', answer);
+      expect(answer.ok).toBe(false);
+      expect(answer.error).not.toBe('');
+    }
+  });
+
+  it('measures interpolation and Poisson on the mesh of a run', () => {
+    const run = finishedRun();
+    const interpolation = core.femInterpolate(run, smooth);
+    const poisson = core.femPoisson(run, smooth);
+    const averaged = core.femAveraged(run, smooth, 0);
+    expectDeclared('femInterpolate', interpolation);
+    expectDeclared('femPoisson', poisson);
+    expectDeclared('femAveraged', averaged);
+    expect(interpolation.nodal).toHaveLength(core.mesh(run)!.vertices.length / 2);
+    expect(poisson.h1).toBeLessThan(interpolation.h1);
+    expect(core.femInterpolate(core.mesh(run)!, smooth).h1).toBe(interpolation.h1);
+    core.release(run);
+  });
+
+  it('makes a study, one size at a time, whose errors fall as they should', () => {
+    const [coarse, fine] = [0.1, 0.025].map((size) => {
+      const answer = core.femStudy(squareText, '{"algorithm":"ruppert"}', smooth, size);
+      expectDeclared('femStudy', answer);
+      expect([answer.ok, answer.error, answer.status]).toEqual([true, '', 'complete']);
+      return answer;
+    });
+    expect(Math.log2(coarse!.poisson!.h1 / fine!.poisson!.h1) / 2).toBeCloseTo(1, 1);
+    expect(Math.log2(coarse!.poisson!.l2 / fine!.poisson!.l2) / 2).toBeCloseTo(2, 1);
+  });
+
+  it('studies a triangle', () => {
+    const flat = core.femTriangle(0, 0, 1, 0, 0.5, 0.01, 'x^2');
+    expectDeclared('femTriangle', flat);
+    expect(flat.circumradius).toBeGreaterThan(flat.circumradiusBound);
+    expect(flat.h1Constant).toBeLessThan(flat.kobayashiBound);
+    expectDeclared('femTriangle', core.femTriangle(0, 0, 1, 1, 2, 2, ''));
+    expect(core.femTriangle(0, 0, 1, 1, 2, 2, '').ok).toBe(false);
+    expect(core.femTriangle(0, 0, 1, 0, 0, 1, 'x +').interpolationError).not.toBe('');
+  });
+
+  it('answers what cannot be done with a sentence', () => {
+    const mesh = core.femFamily('narrow', 2, 2).mesh!;
+    const broken = { ...mesh, cells: new Uint32Array([0, 1, 99999]) };
+    for (const field of [
+      core.femInterpolate(999, 'x'),
+      core.femInterpolate(mesh, 'x +'),
+      core.femInterpolate(mesh, '1/x'),
+      core.femInterpolate(broken, 'x'),
+      core.femInterpolate({ ...mesh, dimension: 3 }, 'x'),
+      core.femPoisson(broken, 'x'),
+      core.femAveraged(mesh, 'x', 1e-3),
+    ]) {
+      expect(field.ok).toBe(false);
+      expect(field.error).not.toBe('');
+    }
+    for (const answer of [
+      core.femStudy('nonsense', '{}', 'x', 1),
+      core.femStudy(crossing, '{}', 'x', 1),
+      core.femStudy(squareText, '{"tau":"two"}', 'x', 1),
+      core.femStudy(squareText, '{}', 'x', -1),
+      core.femStudy(squareText, '{}', 'q', 1),
+    ]) {
+      expectDeclared('femStudy', answer);
+      expect(answer.ok).toBe(false);
+      expect(answer.error + answer.defects.map(({ message }) => message)).not.toBe('');
+    }
+  });
+});

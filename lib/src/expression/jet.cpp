@@ -21,9 +21,6 @@ Jet chain(const Jet& a, double f, double f1, double f2) {
           times(f1, a.yy) + times(f2, a.y * a.y)};
 }
 
-/// c x^b, where a coefficient of zero wins over a pole: derivatives of x^2 at 0.
-double power_term(double c, double x, double b) { return c == 0 ? 0 : c * elementary::pow(x, b); }
-
 }  // namespace
 
 Jet operator-(const Jet& a) { return {-a.value, -a.x, -a.y, -a.xx, -a.xy, -a.yy}; }
@@ -111,8 +108,17 @@ Jet atan2(const Jet& y, const Jet& x) {
 Jet power(const Jet& a, const Jet& b) {
   const double value = elementary::pow(a.value, b.value);
   if (b.is_constant()) {
+    // A coefficient of zero wins over a pole: derivatives of x^2 at 0.
     const double n = b.value;
-    return chain(a, value, power_term(n, a.value, n - 1), power_term(n * (n - 1), a.value, n - 2));
+    double first = 0, second = 0;
+    if (a.value != 0 && std::fabs(value) > 1e-290 && std::fabs(value) < 1e290) {
+      first = n * value / a.value;
+      second = (n - 1) * first / a.value;
+    } else {
+      if (n != 0) first = n * elementary::pow(a.value, n - 1);
+      if (n * (n - 1) != 0) second = n * (n - 1) * elementary::pow(a.value, n - 2);
+    }
+    return chain(a, value, first, second);
   }
   Jet result = exp(b * log(a));
   result.value = value;

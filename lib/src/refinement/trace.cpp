@@ -101,6 +101,31 @@ std::string why_queued(const Event& e) {
   }
 }
 
+/// What a vertex is that splits nothing.
+const char* without_simplex(Reason reason) {
+  if (reason == Reason::kBox) return ", a corner of the box,";
+  return reason == Reason::kCircle ? ", on a protecting circle," : " of the input";
+}
+
+std::string place_inserted(Reason reason) {
+  switch (reason) {
+    case Reason::kOffCenter:
+      return "at the off-center of";
+    case Reason::kDivision:
+      return "at an equal division of";
+    case Reason::kCollar:
+      return "at the distance that protects its acute angle, on";
+    case Reason::kEqualLength:
+      return "for pieces of equal length at a common vertex, on";
+    case Reason::kShell:
+      return "where a concentric shell about its input vertex crosses";
+    case Reason::kArcMidpoint:
+      return "at the midpoint of";
+    default:
+      return std::string("at the ") + name(reason) + " of";
+  }
+}
+
 std::string why_refused(Reason reason) {
   switch (reason) {
     case Reason::kOutsideDomain:
@@ -112,7 +137,8 @@ std::string why_refused(Reason reason) {
     case Reason::kPrecision:
       return "the new vertex would coincide with another one in double precision";
     case Reason::kSeditious:
-      return "its shortest edge is seditious";
+      return "its shortest edge is seditious: it joins two segments of a small angle, equally far "
+             "from where they meet";
     case Reason::kFrozen:
       return "its circumcenter would yield to a piece of a segment that is not split any more";
     default:
@@ -248,12 +274,11 @@ std::string describe(const Event& e, const std::vector<std::string>& steps) {
     case EventKind::kInserted: {
       const std::string vertex = "Vertex " + std::to_string(e.subject);
       if (e.dimension == 0) {
-        return vertex + (e.reason == Reason::kBox ? ", a corner of the box, is inserted."
-                                                  : " of the input is inserted.");
+        return vertex + without_simplex(e.reason) + " is inserted.";
       }
       std::string split = simplex_words(e);
       split[0] = 't';
-      return vertex + " is inserted at the " + name(e.reason) + " of " + split + ", at distance " +
+      return vertex + " is inserted " + place_inserted(e.reason) + " " + split + ", at distance " +
              number(e.value) + " from its nearest neighbor.";
     }
     case EventKind::kRelabeled:

@@ -110,7 +110,7 @@ function refusal(e: TraceEvent): string {
     case Reason.precision:
       return 'the new vertex could not be told from another one in double precision';
     case Reason.seditious:
-      return 'its shortest edge is seditious: it joins two segments of a small angle, on one shell';
+      return 'its shortest edge is seditious: it joins two segments of a small angle, equally far from where they meet';
     case Reason.frozen:
       return 'it would yield to a subsegment that was refused itself';
     default:
