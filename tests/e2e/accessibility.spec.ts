@@ -33,6 +33,17 @@ for (const theme of ['light', 'dark'] as const) {
       await check(page);
     });
 
+    test('while comparing, beside a run that does not end', async ({ page }) => {
+      await open(page, '#example=fan&compare=collar');
+      await expect(page.getByTestId('pane-2')).toBeVisible();
+      await finished(page);
+      const tab = page.getByRole('tab', { name: 'Compare' });
+      if (!(await tab.isVisible())) await page.getByRole('button', { name: 'Panel' }).click();
+      await tab.click();
+      await expect(page.getByTestId('repetition')).toBeVisible();
+      await check(page);
+    });
+
     test('in examples, export, share and help', async ({ page }) => {
       await open(page);
       await finished(page);

@@ -30,4 +30,25 @@ test.describe('on a phone', () => {
     await page.getByRole('button', { name: 'Panel' }).tap();
     await expect(page.getByRole('tabpanel')).toBeHidden();
   });
+
+  test('two pictures lie one above the other, and their differences in the sheet', async ({
+    page,
+  }) => {
+    await open(page, '#example=fan&compare=collar');
+    await finished(page);
+    const { width } = page.viewportSize()!;
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(
+      width,
+    );
+    const first = (await page.getByTestId('pane-1').locator('canvas').boundingBox())!;
+    const second = (await page.getByTestId('pane-2').locator('canvas').boundingBox())!;
+    expect(second.y).toBeGreaterThan(first.y + first.height);
+    expect(second.width).toBeCloseTo(first.width, 0);
+    expect(Math.min(first.height, second.height)).toBeGreaterThan(120);
+    await expect(page.getByTestId('pane-1').getByTestId('pane-sentence')).toBeInViewport();
+    await expect(page.getByTestId('pane-2').getByTestId('pane-sentence')).toBeInViewport();
+    await page.getByRole('button', { name: 'Panel' }).tap();
+    await expect(page.getByTestId('differences')).toBeInViewport();
+    await expect(page.locator('[data-action=play]')).toBeInViewport();
+  });
 });

@@ -333,6 +333,7 @@ export const texts = {
   compare: {
     title: 'Compare',
     tab: 'Compare',
+    brief: 'Differences, in step by …',
     firstAlgorithm: 'First algorithm',
     secondAlgorithm: 'Second algorithm',
     details: (name: string) => `The panel is about: ${name}`,
@@ -374,6 +375,8 @@ export const texts = {
     drop: 'Drop the file to open it',
     failed: (name: string) => `${name} could not be opened.`,
     three: 'This file holds a complex in space; the page draws the plane.',
+    noExample: (id: string) =>
+      `There is no example “${id}”. The gallery of examples lists what there is.`,
     opened: (name: string) => `Opened ${name}`,
   },
   close: 'Close',

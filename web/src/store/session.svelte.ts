@@ -1,5 +1,7 @@
+import type { RunOptions } from 'circumball';
 import { complexFromJson } from '../core/complex-json.ts';
 import { fromHash, toHash } from '../link/link.ts';
+import { texts } from '../texts.ts';
 import type { App } from './app.svelte.ts';
 import { type Example, examples, load } from './examples.ts';
 
@@ -28,6 +30,13 @@ export async function enter(app: App): Promise<void> {
 
 async function follow(app: App): Promise<boolean> {
   try {
+    const short = fromWords(location.hash);
+    if (short) {
+      history.replaceState(null, '', location.pathname + location.search);
+      await app.begin();
+      await openExample(app, short.example, { compare: short.compare });
+      return true;
+    }
     const shared = fromHash(location.hash);
     if (!shared) return false;
     history.replaceState(null, '', location.pathname + location.search);
@@ -41,10 +50,29 @@ async function follow(app: App): Promise<boolean> {
   }
 }
 
+/**
+ * A link that can be written by hand: "#example=fan", "#example=fan&compare=collar". Null: the address is none;
+ * throws a sentence if it names what there is not.
+ */
+function fromWords(hash: string): { example: Example; compare: RunOptions | null } | null {
+  const words = new URLSearchParams(hash.slice(1));
+  const id = words.get('example');
+  if (id === null) return null;
+  const example = examples.find((e) => e.id === id);
+  if (!example) throw new Error(texts.open.noExample(id));
+  const algorithm = words.get('compare');
+  if (algorithm === null) return { example, compare: null };
+  // Where the gallery has the same input under that algorithm, it knows the parameters to use.
+  const known = examples.find(
+    (e) => e.files[0] === example.files[0] && e.options.algorithm === algorithm,
+  );
+  return { example, compare: known?.options ?? { ...example.options, algorithm } };
+}
+
 export async function openExample(
   app: App,
   example: Example,
-  { first = false }: { first?: boolean } = {},
+  { first = false, compare = null }: { first?: boolean; compare?: RunOptions | null } = {},
 ): Promise<void> {
   const answer = await app.core.read(await load(example));
   if (!answer.complex) {
@@ -53,7 +81,8 @@ export async function openExample(
   }
   app.closeComparison();
   app.open(complexFromJson(answer.complex), example.title, example.options);
-  if (example.compare) await app.compare({ options: example.compare });
+  const beside = compare ?? example.compare;
+  if (beside) await app.compare({ options: beside });
   const still = app.settings.reducedMotion || document.visibilityState === 'hidden';
   await app.refine({ play: !still });
   if (first && app.doc.title === example.title)

@@ -1,10 +1,15 @@
 import { histogram } from '../replay/measure.ts';
 import { app } from '../store/app.svelte.ts';
+import type { Pane } from '../store/pane.svelte.ts';
 import { formatCount, formatDegrees, formatNumber } from '../texts.ts';
 
-/** A figure caption with everything that is needed to make the figure again. */
+/** A figure caption with everything that is needed to make the figure again: of both meshes while comparing. */
 export function caption(): string {
-  const { doc, run, playback } = app;
+  return app.panes.map(captionOf).join(' ');
+}
+
+function captionOf({ run, playback }: Pane): string {
+  const { doc } = app;
   const title = doc.title || 'A planar straight-line complex';
   const input = `${formatCount(doc.complex.vertices.length)} vertices, ${formatCount(doc.complex.segments.length)} segments`;
   if (!run.trace || !playback.replay || !playback.angles)
