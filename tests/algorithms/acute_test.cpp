@@ -17,7 +17,7 @@ using testing::polygon;
 using testing::random_fans;
 
 TEST(Theorem3_3, NearestNeighborsEstimateFeatureSizesWhateverTheAngles) {
-  for (std::uint64_t seed = 0; seed < 600; ++seed) {
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
     const double least = least_angle(seed);
     const Complex complex = random_fans(seed, least, seed % 2 == 0);
     const auto run = finish(complex, options_of("feature-size"));
@@ -45,7 +45,7 @@ TEST(Theorem3_2, TheLowerBoundHoldsThroughout) {
 }
 
 TEST(Theorem5_7, CollarsEndConformAndConfineBadTriangles) {
-  for (std::uint64_t seed = 0; seed < 120; ++seed) {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
     const double least = least_angle(seed);
     const Complex complex = random_fans(seed, least, seed % 4 != 0);
     Options options = options_of("collar");
