@@ -31,6 +31,21 @@ describe('a link', () => {
     expect(Object.is(back!.complex.vertices[0]![1], -0)).toBe(true);
   });
 
+  it('restores a comparison, and takes a strange one for what can be made of it', () => {
+    const compare = {
+      options: { algorithm: 'collar', minEdge: 1e-4 },
+      pace: 'share',
+      tick: 77,
+    } as const;
+    expect(fromHash(toHash({ ...shared, compare }))).toEqual({ ...shared, compare });
+    const strange = { options: 7, pace: 'gallop', tick: -1 } as never;
+    expect(fromHash(toHash({ ...shared, compare: strange }))!.compare).toEqual({
+      options: {},
+      pace: 'vertices',
+      tick: null,
+    });
+  });
+
   it('carries only characters that mail programs leave alone', () => {
     expect(toHash(shared)).toMatch(/^#v1=[A-Za-z0-9_-]+$/);
   });
