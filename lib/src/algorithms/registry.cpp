@@ -135,7 +135,7 @@ std::vector<AlgorithmInfo> make_registry() {
   AlgorithmInfo terminator = ruppert;
   terminator.id = "terminator";
   terminator.title = "Terminator";
-  terminator.thesis = "beyond it: Shewchuk 2000, 2002; Cheng, Dey and Shewchuk 2013, section 6.6";
+  terminator.thesis = "not in the thesis: Shewchuk 2000, 2002";
   terminator.action =
       "An end segment at an acute angle is split on the concentric shell about its input vertex, "
       "of radius $2^k$, nearest to its middle; any other segment at its midpoint. If a triangle's "
