@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <utility>
 
 #include "algorithms/plan.h"
 #include "algorithms/sweeps.h"
@@ -208,8 +209,10 @@ struct Run::Impl {
 
   void end_step() { recorder.step_ended(work.inserted, work.refused); }
 
-  /// The domain is settled, and traced, whatever stopped the run.
+  /// The domain is settled, and traced, whatever stopped the run; before the end of the last step
+  /// is told, so that this is the last event of a run that is complete.
   void settle_domain() {
+    if (std::exchange(settled, true)) return;
     // Floods leak where subsegments are missing: a run that ends so counts levels once more.
     if (!live.classified() || (live.domain() == Domain::kClosed && !live.conforms())) {
       live.classify();
@@ -244,6 +247,7 @@ struct Run::Impl {
   std::vector<std::string> names;
   std::vector<StepReport> steps;
   std::size_t current = 0;
+  bool settled = false;
   Status status = Status::kRunning;
   Reason limit = Reason::kNone;
   double seconds = 0;
@@ -289,6 +293,7 @@ Status Run::advance(std::uint64_t iterations, double seconds) {
     if (m.work.limit != Reason::kNone) {
       m.finish(m.work.limit);
     } else if (done) {
+      if (m.current + 1 == m.stages.size()) m.settle_domain();
       m.end_step();
       if (++m.current == m.stages.size()) m.finish(m.work.refusal_limit);
     } else if (allowed > 0 && m.seconds >= allowed) {

@@ -2,6 +2,7 @@ import type { AncestryLink } from '../shared/overlay-facts.ts';
 import { Kind, NONE, Reason, type TraceEvent } from './event.ts';
 import { distance, point } from './geometry.ts';
 import { GrowU32 } from './grow.ts';
+import type { Protection } from './protection.ts';
 import { SimplexTable } from './simplex-table.ts';
 import { canonical, type Trace } from './trace.ts';
 
@@ -44,7 +45,10 @@ export class Ancestry {
   private readonly latest = new SimplexTable();
   private next = 0;
 
-  constructor(private readonly trace: Trace) {}
+  constructor(
+    private readonly trace: Trace,
+    private readonly protection: Protection,
+  ) {}
 
   cause(v: number): Cause {
     this.update();
@@ -59,9 +63,8 @@ export class Ancestry {
       case Reason.equalLength:
         return { kind: 'division', parent: NONE, segment: birth.segment };
       case Reason.collar:
-        return { kind: 'protection', parent: this.nearestInputEnd(birth) };
       case Reason.circle:
-        return { kind: 'protection', parent: birth.center };
+        return { kind: 'protection', parent: this.protection.centerOf(v) };
     }
     if (birth.dimension === 2) {
       const edge = this.shortestEdge(birth.simplex);
@@ -131,13 +134,6 @@ export class Ancestry {
     const length = ([p, q]: [number, number]) => distance(point(xy, p), point(xy, q));
     edges.sort((e, f) => length(e) - length(f));
     return this.byAge(edges[0]!);
-  }
-
-  private nearestInputEnd(birth: TraceEvent): number {
-    const xy = this.trace.coordinates.data;
-    const ends = birth.simplex.filter((v) => v < this.trace.input.vertexCount);
-    ends.sort((p, q) => distance(point(xy, p), birth.at) - distance(point(xy, q), birth.at));
-    return ends[0] ?? this.byAge(birth.simplex)[0];
   }
 }
 

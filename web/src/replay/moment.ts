@@ -1,8 +1,8 @@
-import type { Moment, MomentKind, Point, RuleName } from '../shared/types.ts';
+import { Label, type Moment, type MomentKind, type Point, type RuleName } from '../shared/types.ts';
 import { Kind, NONE, Reason, type TraceEvent } from './event.ts';
 import { circumcircle, distance, midpoint, point } from './geometry.ts';
 import type { Replay } from './replay.ts';
-import { sentenceOf } from './sentence.ts';
+import { type DomainCounts, sentenceOf } from './sentence.ts';
 
 const kinds: readonly MomentKind[] = [
   'step-began',
@@ -35,8 +35,18 @@ export function momentAt(replay: Replay, position: number, forward = true): Mome
     yieldTo: yields ? e.other : null,
     vertex: e.kind === Kind.inserted ? e.subject : null,
     change: replay.change(position - 1, forward),
-    sentence: sentenceOf(e, trace.steps),
+    sentence: sentenceOf(e, trace.steps, domainCounts(replay, e)),
   };
+}
+
+function domainCounts(replay: Replay, e: TraceEvent): DomainCounts | undefined {
+  if (e.kind !== Kind.relabeled) return undefined;
+  const born = replay.change(e.index)?.born ?? [];
+  let outside = 0;
+  for (const n of born) {
+    if (replay.trace.triangleLabel.data[n] === Label.outside) outside++;
+  }
+  return { inside: born.length - outside, outside };
 }
 
 /** Which of the four rules speaks. */

@@ -23,6 +23,7 @@ const QUARTER_TURN = Math.PI / 2 + 1e-6;
 /** Collars and intestines as a trace tells of them: read once, event by event, as it grows. */
 export class Protection {
   private readonly circles = new Map<number, Circle>();
+  private readonly centers = new Map<number, number>(); // by vertex on a circle
   private next = 0;
 
   constructor(private readonly trace: Trace) {}
@@ -51,6 +52,12 @@ export class Protection {
       found.push({ center, radius, arcs });
     }
     return found;
+  }
+
+  /** The input vertex whose angle a vertex protects; NONE for all others. */
+  centerOf(vertex: number): number {
+    this.update();
+    return this.centers.get(vertex) ?? NONE;
   }
 
   private arcs(center: number, vertices: readonly number[]): Pair[] {
@@ -96,8 +103,11 @@ export class Protection {
       if (!isOne) continue;
       const e = trace.event(this.next);
       const onSegment = reason === Reason.collar;
-      const center = onSegment ? this.nearestInputEnd(e.simplex, e.at) : e.center;
+      let center = e.center;
+      if (onSegment) center = this.nearestInputEnd(e.simplex, e.at);
+      else if (reason === Reason.circle) center = this.circleThrough(e.at);
       if (center === NONE) continue;
+      this.centers.set(e.subject, center);
       let circle = this.circles.get(center);
       if (!circle) {
         const radius = distance(point(trace.coordinates.data, center), e.at);
@@ -106,6 +116,21 @@ export class Protection {
       }
       circle.vertices.push({ vertex: e.subject, born: this.next, onSegment });
     }
+  }
+
+  /** Of the circles that collar vertices lie on: the one that passes nearest by, by a part of its radius. */
+  private circleThrough(at: readonly [number, number]): number {
+    let nearest = NONE;
+    let best = Number.POSITIVE_INFINITY;
+    for (const { center, radius } of this.circles.values()) {
+      const d = distance(point(this.trace.coordinates.data, center), at);
+      const off = Math.abs(d - radius) / radius;
+      if (off < best) {
+        best = off;
+        nearest = center;
+      }
+    }
+    return nearest;
   }
 
   /** d is less than half of the segment (0.45 N), so the nearer input vertex is the one that is protected. */

@@ -5,7 +5,7 @@ import { Kind, NONE, Reason, type TraceEvent } from './event.ts';
  * The sentence of an event, in the words of the four rules, naming the witness: what circumball::describe says for the
  * command, with the names that the panel uses.
  */
-export function sentenceOf(e: TraceEvent, steps: readonly string[]): string {
+export function sentenceOf(e: TraceEvent, steps: readonly string[], domain?: DomainCounts): string {
   const name = simplexName(e.simplex, e.segment);
   const step = stepName(steps[e.step] ?? String(e.step));
   switch (e.kind) {
@@ -30,12 +30,27 @@ export function sentenceOf(e: TraceEvent, steps: readonly string[]): string {
     case Kind.inserted:
       return inserted(e, name);
     case Kind.relabeled:
-      return `${plural(e.other[1], 'triangle is', 'triangles are')} now known to be inside or outside the domain.`;
+      return relabeled(e, domain);
     case Kind.limit:
       return `The run stops: ${limit(e.reason)}.`;
     default:
       return '';
   }
+}
+
+/** Of the triangles whose side of the boundary an event tells. */
+export interface DomainCounts {
+  readonly inside: number;
+  readonly outside: number;
+}
+
+function relabeled(e: TraceEvent, domain: DomainCounts | undefined): string {
+  const lie = (n: number) => plural(n, 'triangle is', 'triangles are');
+  if (!domain) return `${lie(e.other[1])} now known to be inside or outside the domain.`;
+  const { inside, outside } = domain;
+  if (outside === 0) return `${lie(inside)} now known to lie inside the domain.`;
+  if (inside === 0) return `${lie(outside)} now known to lie outside of the domain.`;
+  return `${lie(inside)} now known to lie inside the domain, and ${formatCount(outside)} outside.`;
 }
 
 function queued(e: TraceEvent, name: string): string {

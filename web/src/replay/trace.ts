@@ -162,7 +162,8 @@ export class Trace {
     this.coordinates.set(2 * v + 1, event.at[1]);
     this.vertexRadius.set(v, event.value);
     if (event.reason === Reason.box && ++this.boxCorners === 4) this.bearBox(event.index);
-    if (event.dimension === 1 && event.simplex.length === 2) {
+    // Arcs of protecting circles are no subsegments of the input.
+    if (event.dimension === 1 && event.simplex.length === 2 && event.center === NONE) {
       const [a, b] = event.simplex as [number, number];
       this.killSubsegment(a, b, event.segment, event.index);
       this.bearSubsegment(a, v, event.segment, event.index);
@@ -206,7 +207,8 @@ export class Trace {
     const number = this.subsegmentCount;
     this.subsegments.push(a);
     this.subsegments.push(b);
-    this.subsegments.push(segment);
+    // The core counts the sides of the box as further segments.
+    this.subsegments.push(segment < this.input.segments.length ? segment : NONE);
     this.subsegmentBorn.push(event);
     this.subsegmentDied.push(NEVER);
     this.liveSubsegments.set(Math.min(a, b), Math.max(a, b), NONE, number);

@@ -36,6 +36,7 @@ export interface NeighborRing {
   readonly vertex: number;
   readonly nearest: number;
   readonly lfs: number;
+  readonly promised: boolean; // the algorithm promises 1/2 <= N / lfs <= sqrt 2 (when it ends)
 }
 
 export type Pair = readonly [number, number];

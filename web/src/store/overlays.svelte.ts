@@ -13,8 +13,10 @@ type Measured = Pick<FeatureStore, 'field' | 'ball' | 'atVertices'>;
 
 /** What the overlays of one picture show: read off its trace at its playhead, and only as far as it is switched on. */
 export class OverlayStore {
-  readonly ancestry = $derived.by(() => this.run.trace && new Ancestry(this.run.trace));
-  private readonly protection = $derived.by(() => this.run.trace && new Protection(this.run.trace));
+  readonly protection = $derived.by(() => this.run.trace && new Protection(this.run.trace));
+  readonly ancestry = $derived.by(
+    () => this.run.trace && this.protection && new Ancestry(this.run.trace, this.protection),
+  );
 
   constructor(
     private readonly run: RunStore,
@@ -51,6 +53,7 @@ export class OverlayStore {
       vertex: v,
       nearest: n,
       lfs: lfs?.[v] ?? Number.NaN,
+      promised: this.run.algorithm === 'feature-size',
     }));
   }
 

@@ -2,6 +2,7 @@ import type { Cause } from '../replay/ancestry.ts';
 import { NONE, Reason } from '../replay/event.ts';
 import { point } from '../replay/geometry.ts';
 import { measureTriangle } from '../replay/measure.ts';
+import type { Protection } from '../replay/protection.ts';
 import type { Trace } from '../replay/trace.ts';
 import { VertexKind } from '../shared/types.ts';
 import { formatDegrees, formatNumber, simplexName, texts } from '../texts.ts';
@@ -12,7 +13,7 @@ export type Row = readonly [name: string, value: string];
 const t = texts.inspector;
 
 /** The input features that a vertex lies on, known from its birth. */
-export function featuresOf(trace: Trace, v: number): string {
+export function featuresOf(trace: Trace, protection: Protection, v: number): string {
   const birth = trace.event(trace.vertexBorn.at(v));
   switch (trace.vertexKind.data[v]) {
     case VertexKind.input:
@@ -20,8 +21,9 @@ export function featuresOf(trace: Trace, v: number): string {
     case VertexKind.box:
       return t.box;
   }
-  if (birth.center !== NONE && birth.dimension === 1) return t.onCircle(birth.center);
-  if (birth.reason === Reason.circle) return t.onCircle(birth.center);
+  if (birth.center !== NONE || birth.reason === Reason.circle) {
+    return t.onCircle(protection.centerOf(v));
+  }
   if (birth.dimension !== 1) return t.free;
   return birth.segment < trace.input.segments.length ? t.onSegment(birth.segment) : t.onBox;
 }

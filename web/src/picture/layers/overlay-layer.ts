@@ -96,7 +96,7 @@ export function ballItems(
 const smallestRing = 5;
 const smallestLabel = 18;
 
-/** Two circles about each input vertex: N solid, lfs dashed; the ratio as a number, flagged where it leaves its bounds. */
+/** Two circles about each input vertex: N solid, lfs dashed; the ratio as a number, in a triangle where it leaves its bounds. */
 export function neighborItems(
   rings: readonly NeighborRing[],
   { theme, pixel, place }: OverlayLook,
@@ -104,18 +104,19 @@ export function neighborItems(
   const under = noItems();
   const over = noItems();
   const taken: Point[] = [];
-  for (const { vertex, nearest, lfs } of rings) {
+  for (const { vertex, nearest, lfs, promised } of rings) {
     const center = place(vertex);
     if (!center || !Number.isFinite(nearest)) continue;
     const known = Number.isFinite(lfs) && lfs > 0;
     const ratio = nearest / lfs;
     const flagged = known && !neighborInBounds(ratio);
+    const flag = promised ? theme.defect : theme.warning;
     if (Math.max(nearest, known ? lfs : 0) > smallestRing * pixel) {
       under.disks.push({
         center,
         radius: nearest,
-        stroke: flagged ? theme.defect : theme.neighbor,
-        width: flagged ? 2.4 : 1.4,
+        stroke: theme.neighbor,
+        width: 1.4,
       });
       if (known) {
         under.disks.push({
@@ -128,7 +129,7 @@ export function neighborItems(
       }
     }
     if (flagged) {
-      over.marks.push({ at: center, shape: 'disc', size: 17, stroke: theme.defect, width: 2.4 });
+      over.marks.push({ at: center, shape: 'triangle', size: 19, stroke: flag, width: 2.2 });
     }
     const roomy = nearest > smallestLabel * pixel || flagged;
     const free = !taken.some(
@@ -140,8 +141,8 @@ export function neighborItems(
         at: center,
         text: ratio.toFixed(ratio < 10 ? 2 : 0),
         size: 12,
-        color: flagged ? theme.defect : theme.ink,
-        dx: 9,
+        color: flagged && promised ? theme.defect : theme.ink,
+        dx: 11,
         dy: -13,
         anchor: 'start',
         halo: theme.background,

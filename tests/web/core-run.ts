@@ -1,0 +1,44 @@
+import { readdirSync, readFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import type { CircumballModule } from 'circumball';
+import { complexFromJson, complexToText } from '../../web/src/core/complex-json.ts';
+import { Trace } from '../../web/src/replay/trace.ts';
+import type { Complex2 } from '../../web/src/shared/types.ts';
+
+/** Runs of the core on the examples, replayed as the page replays them. */
+
+const folder = fileURLToPath(new URL('../../examples/', import.meta.url));
+
+export const exampleFiles = readdirSync(folder).filter(
+  (f) => /\.(json|poly|svg|obj)$/.test(f) && f !== 'index.json',
+);
+
+export function readExample(core: CircumballModule, file: string): Complex2 {
+  const bytes = new Uint8Array(readFileSync(folder + file));
+  return complexFromJson(core.read([{ name: file, bytes }]).complex);
+}
+
+/** The whole trace of a run, which is released; `tau` as the core took it. */
+export function traceOf(core: CircumballModule, complex: Complex2, options: object) {
+  const start = core.start(complexToText(complex), JSON.stringify(options));
+  if (!start.ok) throw new Error(start.error);
+  const trace = new Trace({ vertexCount: complex.vertices.length, segments: complex.segments });
+  for (;;) {
+    const progress = core.advance(start.run, 0, 0);
+    const chunk = core.takeTrace(start.run);
+    trace.append(chunk.events, chunk.simplices, chunk.steps);
+    if (progress.status === 'running') continue;
+    core.release(start.run);
+    return { trace, tau: start.tau, status: progress.status };
+  }
+}
+
+export function lfsOf(
+  core: CircumballModule,
+  complex: Complex2,
+  points: Float64Array,
+): Float64Array {
+  const answer = core.featureSizes(complexToText(complex), points);
+  if (!answer.ok) throw new Error(answer.error);
+  return answer.lfs;
+}
