@@ -26,6 +26,24 @@ for (const theme of ['light', 'dark'] as const) {
       }
     });
 
+    test('with every overlay, the ball at a point and a picked vertex', async ({ page }) => {
+      await open(page);
+      await finished(page);
+      const button = page.getByRole('tab', { name: 'Mesh' });
+      if (!(await button.isVisible())) await page.getByRole('button', { name: 'Panel' }).click();
+      await button.click();
+      for (const overlay of await page.locator('[data-overlay]').all()) await overlay.check();
+      await page.getByLabel('At the point, x').fill('5');
+      await page.getByLabel('At the point, y').fill('4');
+      await page.keyboard.press('Enter');
+      await expect(page.getByTestId('ball')).toContainText('lfs(5, 4) =');
+      await check(page);
+      await page.getByLabel('Pick a vertex by number').fill('50');
+      await page.getByRole('button', { name: 'Pick', exact: true }).click();
+      await expect(page.getByTestId('ancestry')).toBeVisible();
+      await check(page);
+    });
+
     test('while drawing', async ({ page }) => {
       await open(page);
       await finished(page);

@@ -51,4 +51,25 @@ test.describe('on a phone', () => {
     await expect(page.getByTestId('differences')).toBeInViewport();
     await expect(page.locator('[data-action=play]')).toBeInViewport();
   });
+
+  test('a tap shows the ball of the local feature size, and nothing covers its key', async ({
+    page,
+  }) => {
+    await open(page);
+    await finished(page);
+    await page.locator('[data-action=overlays]').tap();
+    await page.locator('[data-overlay=featureSize]').tap();
+    await page.getByRole('button', { name: 'Panel' }).tap();
+    const box = (await page.locator('canvas[role=application]').boundingBox())!;
+    await page.touchscreen.tap(box.x + box.width / 2 + 20, box.y + box.height / 2);
+    const ball = page.getByTestId('ball');
+    await expect(ball).toContainText(/lfs\(.*\) = .*meets .* and touches/);
+    await expect(ball).toBeInViewport({ ratio: 1 });
+    const key = (await page.getByTestId('field-key').first().boundingBox())!;
+    const buttons = (await page.locator('[data-action=overlays]').boundingBox())!;
+    expect(key.y + key.height).toBeLessThanOrEqual(buttons.y);
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(
+      page.viewportSize()!.width,
+    );
+  });
 });

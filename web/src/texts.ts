@@ -221,6 +221,7 @@ export const texts = {
   },
   legend: {
     title: 'Legend',
+    onPicture: 'Legend of the picture',
     input: 'input feature',
     onSegment: 'vertex on a segment',
     free: 'free vertex',

@@ -318,7 +318,11 @@ const overlays: Action[] = [
       app.settings.panelOpen = true;
       app.sheetOpen = true;
       app.tab = 'mesh';
-      requestAnimationFrame(() => document.querySelector<HTMLElement>('#overlays input')?.focus());
+      requestAnimationFrame(() => {
+        const section = document.getElementById('overlays');
+        section?.scrollIntoView({ block: 'start' });
+        section?.querySelector('input')?.focus({ preventScroll: true });
+      });
     },
   },
   ...overlayKeys.map(

@@ -3,14 +3,14 @@ import { isSingleCharacter, matches } from './keys.ts';
 import { actions } from './registry.ts';
 import { isEnabled } from './types.ts';
 
-/** One listener for the whole page. Fields keep their keys; a focused button keeps Space and Enter. */
+/** One listener for the whole page. Fields keep their keys; a focused button or box to check keeps Space and Enter. */
 export function handleKey(e: KeyboardEvent): void {
   if (e.defaultPrevented || app.dialog !== null || document.querySelector('.driver-active')) return;
   const target = e.target instanceof HTMLElement ? e.target : document.body;
   const isCommand = e.ctrlKey || e.metaKey;
   if (takesText(target) && !(isCommand && e.key === 'Enter')) return;
   if (
-    target.closest('button, a, summary, [role=tab]') &&
+    target.closest('button, a, summary, [role=tab], input[type=checkbox], input[type=radio]') &&
     (e.key === ' ' || e.key === 'Enter') &&
     !isCommand
   )
