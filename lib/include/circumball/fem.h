@@ -100,8 +100,10 @@ struct PoissonLimits {
 struct PoissonSolution : ErrorField {
   std::uint64_t unknowns = 0;        ///< vertices inside
   std::uint64_t factor_entries = 0;  ///< of the Cholesky factor
-  /// Whether the load was taken as the integral of grad u . grad v: u is made of pieces, and f has
-  /// parts on the lines between them that no value of it shows.
+  /// Whether the load was taken as the integral of grad u . grad v instead of f v, which is the
+  /// same for smooth u: where u is made of pieces, f has parts on the lines between them that no
+  /// value of it shows; and where the quadrature of f does not settle, f is hardly integrable, or
+  /// not at all.
   bool weak_load = false;
 };
 /// Solves -Laplace(u_h) = f with u_h = u on the boundary of the mesh, f = -Laplace(u) from the

@@ -26,19 +26,57 @@ class Factor : public Eigen::SimplicialLDLT<Matrix> {
   }
 };
 
-/// Integrals over the cell of f v for the three hat functions v; of grad u . grad v if `weak`.
-std::array<double, 3> load(const Element& t, const PlaneFunction& u, bool weak) {
-  std::array<double, 3> sum{};
-  for (const fem::QuadraturePoint& q : fem::quadrature_rule()) {
-    const PlaneFunction::Derivatives d = u.derivatives(t.at(q.at));
-    for (int k = 0; k < 3; ++k) {
-      // grad v = (-e.y, e.x) / (2 area), e the opposite edge.
-      const double v =
-          weak ? (d.y * t.edge[k].x - d.x * t.edge[k].y) / (2 * t.area) : -(d.xx + d.yy) * q.at[k];
-      sum[k] += q.weight * t.area * v;
+struct Load {
+  std::array<double, 3> value;
+  bool settled;  ///< whether the quadrature was
+};
+
+/// Integrals over the cell of f v for the three hat functions v.
+Load strong_load(const Element& t, const PlaneFunction& u, fem::QuadratureBudget* budget) {
+  const auto integral = fem::average<4>(
+      [&](const fem::Barycentric& at) {
+        const PlaneFunction::Derivatives d = u.derivatives(t.at(at));
+        const double f = -(d.xx + d.yy);
+        return std::array<double, 4>{std::fabs(f), f * at[0], f * at[1], f * at[2]};
+      },
+      1, {}, budget);
+  const auto& [size, a, b, c] = integral.value;
+  return {{t.area * a, t.area * b, t.area * c}, integral.settled};
+}
+
+/// Integrals over the cell of grad u . grad v.
+Load weak_load(const Element& t, const PlaneFunction& u, fem::QuadratureBudget* budget) {
+  const auto integral = fem::average<3>(
+      [&](const fem::Barycentric& at) {
+        const PlaneFunction::Derivatives d = u.derivatives(t.at(at));
+        return std::array<double, 3>{std::sqrt(d.x * d.x + d.y * d.y), d.x, d.y};
+      },
+      1, {}, budget);
+  const auto& [size, x, y] = integral.value;
+  Load load{{}, integral.settled};
+  // grad v = (-e.y, e.x) / (2 area), e the opposite edge.
+  for (int k = 0; k < 3; ++k) load.value[k] = 0.5 * (y * t.edge[k].x - x * t.edge[k].y);
+  return load;
+}
+
+/// Loads of all cells, three each. Strong ones, if their quadrature settles everywhere: a Laplacian
+/// that is not integrable, or nearly so, shows in that.
+std::vector<double> loads(const Mesh& mesh, const PlaneFunction& u, PoissonSolution* solution) {
+  solution->weak_load = u.is_piecewise();
+  for (;;) {
+    std::vector<double> all(mesh.cells.size(), 0);
+    fem::QuadratureBudget budget;
+    bool settled = true;
+    for (std::size_t i = 0; i < mesh.cell_count() && (settled || solution->weak_load); ++i) {
+      const Element t = fem::element(mesh, i);
+      if (!(t.area > 0)) continue;
+      const Load load = solution->weak_load ? weak_load(t, u, &budget) : strong_load(t, u, &budget);
+      settled = settled && load.settled;
+      for (int k = 0; k < 3; ++k) all[3 * i + k] = load.value[k];
     }
+    if (settled || solution->weak_load) return all;
+    solution->weak_load = true;
   }
-  return sum;
 }
 
 constexpr const char* kNoMemory =
@@ -48,17 +86,17 @@ constexpr const char* kNoMemory =
 std::string solve(const Mesh& mesh, const PlaneFunction& u, const PoissonLimits& limits,
                   const std::vector<int>& number, PoissonSolution* solution) {
   const auto n = static_cast<Eigen::Index>(solution->unknowns);
+  const std::vector<double> load = loads(mesh, u, solution);
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::VectorXd right = Eigen::VectorXd::Zero(n);
   for (std::size_t i = 0; i < mesh.cell_count(); ++i) {
     const Element t = fem::element(mesh, i);
     if (!(t.area > 0)) continue;
     const std::uint32_t* v = mesh.cell(i);
-    const std::array<double, 3> f = load(t, u, solution->weak_load);
     for (int j = 0; j < 3; ++j) {
       const int row = number[v[j]];
       if (row < 0) continue;
-      right[row] += f[j];
+      right[row] += load[3 * i + j];
       for (int k = 0; k < 3; ++k) {
         const double stiffness =
             (t.edge[j].x * t.edge[k].x + t.edge[j].y * t.edge[k].y) / (4 * t.area);
@@ -72,8 +110,9 @@ std::string solve(const Mesh& mesh, const PlaneFunction& u, const PoissonLimits&
     }
   }
   if (!right.allFinite()) {
-    return "the second derivatives of u are not finite everywhere on the mesh: choose another "
-           "function, or another mesh";
+    return "the derivatives of u are not finite everywhere on the mesh: choose another function, "
+           "or "
+           "another mesh";
   }
   Matrix matrix(n, n);
   matrix.setFromTriplets(entries.begin(), entries.end());
@@ -133,7 +172,6 @@ PoissonSolution solve_poisson(const Mesh& mesh, const PlaneFunction& u,
       return solution;
     }
   }
-  solution.weak_load = u.is_piecewise();
   try {
     if (solution.unknowns > 0) solution.error = solve(mesh, u, limits, number, &solution);
   } catch (const std::bad_alloc&) {
@@ -142,8 +180,9 @@ PoissonSolution solve_poisson(const Mesh& mesh, const PlaneFunction& u,
   if (!solution.error.empty()) return solution;
   fem::measure_error(mesh, u, &solution);
   if (solution.weak_load && solution.warning.empty()) {
-    solution.warning =
-        "u is made of pieces, so the load is the integral of grad u . grad v, not of f v.";
+    solution.warning = std::string(u.is_piecewise() ? "u is made of pieces"
+                                                    : "the Laplacian of u is hardly integrable") +
+                       ", so the load is the integral of grad u . grad v, not of f v.";
   }
   return solution;
 }
