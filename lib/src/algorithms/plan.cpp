@@ -5,7 +5,9 @@
 #include "algorithms/chew.h"
 #include "algorithms/circles.h"
 #include "algorithms/collar.h"
+#include "algorithms/equal_lengths.h"
 #include "algorithms/feature_size.h"
+#include "algorithms/fem_size.h"
 #include "algorithms/intestine.h"
 #include "algorithms/protect.h"
 #include "algorithms/ruppert.h"
@@ -65,6 +67,11 @@ std::vector<std::unique_ptr<Stage>> plan(const Settings& settings) {
     steps.push_back(loop("1", "Split encroached segments, on shells", ConformOnShells{}));
     steps.push_back(classify_triangles());
     steps.push_back(loop("2", "Terminator", bounded<Terminator>(settings)));
+  } else if (settings.algorithm == "fem-size") {
+    steps.push_back(split_at_equal_lengths());
+    steps.push_back(loop("1b", "Split encroached segments", Conform{}));
+    steps.push_back(classify_triangles());
+    steps.push_back(loop("2", "Refinement by circumradius", bounded<FemSize>(settings)));
   } else if (settings.algorithm == "chew") {
     steps.push_back(divide_segments(settings.size));
     steps.push_back(loop("1b", "Recover segments that are no edges", Recover{}));

@@ -178,7 +178,33 @@ std::vector<AlgorithmInfo> make_registry() {
                  "area",     "size",     "min-angle"};
   chew.default_domain = "closed";
 
-  return {delaunay, ruppert, chew, feature_size, collar, intestine, terminator};
+  AlgorithmInfo fem_size;
+  fem_size.id = "fem-size";
+  fem_size.title = "Refinement for the finite element method";
+  fem_size.thesis = "Algorithm 7.1";
+  fem_size.action =
+      "Insert the circumcenter of a simplex unless the simplex is a triangle and the circumcenter "
+      "encroaches upon a segment. In this case, queue the encroached segment for splitting.";
+  fem_size.priority = "Segments are processed before triangles.";
+  fem_size.unacceptability =
+      "A segment $s$ is unacceptable if its diametral disk is non-empty. A triangle $t$ is "
+      "unacceptable if $\\inf_{x \\in t} h(x) < R_t$.";
+  fem_size.safety =
+      "It is safe to split any simplex. (Acutely adjacent input segments were split at equal "
+      "lengths modulo powers of two first.)";
+  fem_size.parameters = {
+      {"size", "0", "0", "1e55",
+       "the sizing function h: a number, an expression in x and y such as 0.02 + 0.3*x^2, or a "
+       "grid; 0: a tenth of the input's diameter"},
+      box};
+  fem_size.guarantee =
+      "It ends for every complex and every $h$ that is bounded away from 0; the mesh conforms to "
+      "the input, and $R_t \\le \\inf_{x \\in t} h(x)$ for every triangle $t$ (Theorem 7.13). "
+      "Angles are not bounded, but mostly good.";
+  fem_size.checks = {"topology", "delaunay", "input-vertices", "input-segments", "area", "size"};
+  fem_size.default_domain = "closed";
+
+  return {delaunay, ruppert, chew, feature_size, collar, intestine, terminator, fem_size};
 }
 
 /// Numbers as numbers, all else as text.

@@ -10,6 +10,7 @@
 #include "algorithms/sweeps.h"
 #include "circumball/registry.h"
 #include "complex/export2.h"
+#include "delaunay/constructions.h"
 #include "predicates/elementary.h"
 #include "refinement/sizing.h"
 #include "refinement/stage.h"
@@ -39,6 +40,17 @@ std::string settle_sizing(const Complex& complex, const std::string& text, Setti
   }
   settings->sizing = sizing;
   return "";
+}
+
+/// Of the bounding box of the vertices.
+double diameter(const Complex& complex) {
+  if (complex.vertices.empty()) return 0;
+  Point3 low = complex.vertices[0], high = low;
+  for (const Point3& p : complex.vertices) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), 0};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), 0};
+  }
+  return distance(xy(low), xy(high));
 }
 
 /// Whether the box lies strictly around the input, in the range of coordinates.
@@ -137,6 +149,10 @@ std::string settle(const Complex& complex, Options* options, Settings* settings)
   if (info->id == "chew" && settings->size == 0) {
     settings->size = default_division_length(complex);
     if (!std::isfinite(settings->size)) settings->size = 1;  // a single vertex
+  }
+  if (info->id == "fem-size" && settings->size == 0 && !settings->sizing) {
+    settings->size = 0.1 * diameter(complex);
+    if (settings->size == 0) settings->size = 1;  // a single vertex
   }
   if (settings->sizing) {
     settings->size = 0;
