@@ -13,12 +13,13 @@ export const layers = {
   delaunay: ['predicates'],
   complex: ['predicates', 'delaunay'],
   expression: ['predicates'],
+  sizing: ['predicates', 'expression'],
   feature_size: ['predicates', 'delaunay', 'complex'],
-  refinement: ['predicates', 'delaunay', 'complex', 'expression'],
+  refinement: ['predicates', 'delaunay', 'complex', 'sizing'],
   protection: ['predicates', 'delaunay', 'complex', 'refinement'],
-  algorithms: ['predicates', 'delaunay', 'complex', 'refinement', 'protection'], // not the oracle that they are checked with
+  algorithms: ['predicates', 'delaunay', 'complex', 'sizing', 'refinement', 'protection'], // not the oracle that they are checked with
   // Verification may reason about complexes as `check` does; what it shares with the mesher is looked at below.
-  quality: ['predicates', 'complex', 'feature_size'],
+  quality: ['predicates', 'complex', 'sizing', 'feature_size'],
   fem: ['predicates', 'expression', 'complex/box_tree'],
   io: ['predicates/elementary'], // rotations of drawings are the same everywhere
   report: [],
@@ -30,6 +31,7 @@ export const headers = {
   delaunay: ['types', 'predicates'],
   complex: ['types', 'predicates', 'complex', 'mesh'],
   expression: [],
+  sizing: ['types'],
   feature_size: ['types', 'predicates', 'complex', 'mesh', 'feature_size'],
   refinement: ['types', 'predicates', 'complex', 'mesh', 'trace', 'refine'],
   protection: ['types', 'predicates', 'complex', 'mesh', 'trace', 'refine'],
@@ -42,7 +44,7 @@ export const headers = {
 
 /** Libraries outside the standard one, and where they are allowed. */
 const libraries = [
-  { pattern: /^nlohmann\//, allowed: ['io', 'report', 'algorithms', 'refinement'] },
+  { pattern: /^nlohmann\//, allowed: ['io', 'report', 'algorithms', 'refinement', 'sizing'] },
   { pattern: /^Eigen\//, allowed: ['fem'] },
   { pattern: /^fmt\//, allowed: ['io'] }, // for what Emscripten's standard library lacks
   { pattern: /^(CLI|boost|CGAL|gtest|benchmark|emscripten)\//, allowed: [] },
@@ -109,12 +111,14 @@ function reachable(root, files) {
   return found;
 }
 
-/** Verification shares no code with what made the mesh, the predicates aside. */
+/** Verification shares no code with what made the mesh, the predicates and the evaluation of sizing functions aside. */
 function sharedWithMesher(root) {
   const under = (layer) => sourcesUnder(join(root, 'lib/src', layer));
   const mesher = reachable(root, [...under('refinement'), ...under('algorithms')]);
   const verifier = reachable(root, under('quality'));
-  return [...verifier].filter((name) => mesher.has(name) && !name.startsWith('predicates/'));
+  return [...verifier].filter(
+    (name) => mesher.has(name) && !/^(predicates|expression|sizing)\//.test(name),
+  );
 }
 
 /** Command and WebAssembly see the public headers, and the files beside them. */

@@ -13,8 +13,12 @@
 namespace circumball {
 
 struct VerifyOptions {
-  std::optional<double> tau;      ///< radius-edge bound to check; none: "radius-edge" is left out
-  std::optional<double> size;     ///< circumradius bound to check
+  std::optional<double> tau;   ///< radius-edge bound to check; none: "radius-edge" is left out
+  std::optional<double> size;  ///< circumradius bound to check
+  std::string sizing;  ///< the same as a function of the place: text as Options::size has it
+  /// "sizing-lower": how many of the first Steiner vertices were on segments before the refinement
+  /// began, so that the theorem counts them as input.
+  std::uint32_t divisions = 0;
   std::string domain = "closed";  ///< "hull", "box" or "closed": what the mesh should cover
   bool protect_all =
       false;  ///< collars, intestines: at every input vertex, not at acute angles only
@@ -44,11 +48,12 @@ struct Check {
 /// as slack), "collar" (Theorem 5.7: the circumcenter of every cell above tau lies in the diametral
 /// disk of a collar simplex), "intestine" and "max-angle" (Theorem 5.11: cells above tau lie in the
 /// disks that protect acute input angles; no angle above 180 degrees - 2 kappa), "min-angle" (chew:
-/// >= 30 degrees), "size" (circumradius <= size), "nearest-neighbor" (Theorem 2.3: N(q0) <= sqrt 2
-/// lfs(q0) for each input vertex; lfs by brute force), "nearest-neighbor-lower" (Theorem 3.2: 1/2
-/// lfs(q0) <= N(q0)), "grading" (the constant C of lfs(q) <= C r_q over the Steiner vertices, as
-/// observed: Theorems 2.2, 5.6 and 5.10 give no number to check; vertices are taken to be numbered
-/// by birth).
+/// >= 30 degrees), "size" (circumradius <= size), "sizing" (circumradius <= infimum of the sizing
+/// function over the cell, by certain bounds), "sizing-lower" (fem-size: Theorem 7.13, the other
+/// side), "nearest-neighbor" (Theorem 2.3: N(q0) <= sqrt 2 lfs(q0) for each input vertex; lfs by
+/// brute force), "nearest-neighbor-lower" (Theorem 3.2: 1/2 lfs(q0) <= N(q0)), "grading" (the
+/// constant C of lfs(q) <= C r_q over the Steiner vertices, as observed: Theorems 2.2, 5.6 and 5.10
+/// give no number to check; vertices are taken to be numbered by birth).
 std::vector<Check> verify(const Mesh& mesh, const Complex& complex, const VerifyOptions& options);
 
 /// Measures of a mesh, for the report.

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "circumball/refine.h"
-#include "refinement/sizing.h"
 #include "refinement/stage.h"
+#include "sizing/sizing.h"
 
 namespace circumball {
 

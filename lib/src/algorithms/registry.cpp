@@ -58,8 +58,9 @@ std::vector<AlgorithmInfo> make_registry() {
       "to the input, $\\mathrm{RE}(t) \\le \\tau$ for every triangle, it is graded to the local "
       "feature size, and $N(q_0) \\le \\sqrt 2\\,\\mathrm{lfs}(q_0)$ for every input vertex "
       "(Theorems 2.2 and 2.3).";
-  ruppert.checks = {"topology",    "delaunay",         "input-vertices", "input-segments", "area",
-                    "radius-edge", "nearest-neighbor", "size",           "grading"};
+  ruppert.checks = {"topology", "delaunay",    "input-vertices",   "input-segments",
+                    "area",     "radius-edge", "nearest-neighbor", "size",
+                    "sizing",   "grading"};
   ruppert.default_domain = "closed";
 
   AlgorithmInfo feature_size;
@@ -105,7 +106,7 @@ std::vector<AlgorithmInfo> make_registry() {
       "local feature size, and the circumcenter of every triangle with $\\mathrm{RE}(t) > \\tau$ "
       "lies in the diametral disk of a collar simplex (Theorems 5.6 and 5.7).";
   collar.checks = {"topology", "delaunay",    "input-vertices", "input-segments", "area",
-                   "collar",   "radius-edge", "size",           "grading"};
+                   "collar",   "radius-edge", "size",           "sizing",         "grading"};
 
   AlgorithmInfo intestine = collar;
   intestine.id = "intestine";
@@ -130,7 +131,7 @@ std::vector<AlgorithmInfo> make_registry() {
       "and "
       "5.11).";
   intestine.checks = {"topology",  "delaunay",  "input-vertices", "input-segments", "area",
-                      "intestine", "max-angle", "size",           "grading"};
+                      "intestine", "max-angle", "size",           "sizing",         "grading"};
 
   AlgorithmInfo terminator = ruppert;
   terminator.id = "terminator";
@@ -201,7 +202,8 @@ std::vector<AlgorithmInfo> make_registry() {
       "It ends for every complex and every $h$ that is bounded away from 0; the mesh conforms to "
       "the input, and $R_t \\le \\inf_{x \\in t} h(x)$ for every triangle $t$ (Theorem 7.13). "
       "Angles are not bounded, but mostly good.";
-  fem_size.checks = {"topology", "delaunay", "input-vertices", "input-segments", "area", "size"};
+  fem_size.checks = {"topology", "delaunay", "input-vertices", "input-segments",
+                     "area",     "size",     "sizing",         "sizing-lower"};
   fem_size.default_domain = "closed";
 
   return {delaunay, ruppert, chew, feature_size, collar, intestine, terminator, fem_size};

@@ -12,8 +12,8 @@
 #include "complex/export2.h"
 #include "delaunay/constructions.h"
 #include "predicates/elementary.h"
-#include "refinement/sizing.h"
 #include "refinement/stage.h"
+#include "sizing/sizing.h"
 
 namespace circumball {
 namespace {

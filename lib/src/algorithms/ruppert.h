@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "refinement/queue.h"
-#include "refinement/sizing.h"
 #include "refinement/view.h"
+#include "sizing/sizing.h"
 
 namespace circumball {
 

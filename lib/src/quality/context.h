@@ -148,6 +148,8 @@ Check check_collar(const VerifyContext& context);
 Check check_intestine(const VerifyContext& context);
 Check check_max_angle(const VerifyContext& context);
 Check check_grading(const VerifyContext& context);
+Check check_sizing(const VerifyContext& context);
+Check check_sizing_lower(const VerifyContext& context);
 
 }  // namespace circumball
 

@@ -19,6 +19,8 @@ bool always(const VerifyOptions&) { return true; }
 bool asked_only(const VerifyOptions&) { return false; }
 bool has_tau(const VerifyOptions& o) { return o.tau.has_value(); }
 bool has_size(const VerifyOptions& o) { return o.size.has_value(); }
+bool has_sizing(const VerifyOptions& o) { return !o.sizing.empty(); }
+bool has_function(const VerifyOptions& o) { return !o.size && !o.sizing.empty(); }
 bool conforming(const VerifyOptions& o) { return o.domain != "hull"; }  // `hull` adds no vertices
 
 constexpr Entry kChecks[] = {
@@ -30,6 +32,8 @@ constexpr Entry kChecks[] = {
     {"radius-edge", check_radius_edge, has_tau, has_tau},
     {"min-angle", check_min_angle, asked_only, always},
     {"size", check_size, has_size, has_size},
+    {"sizing", check_sizing, has_function, has_sizing},
+    {"sizing-lower", check_sizing_lower, asked_only, has_sizing},
     {"nearest-neighbor", check_nearest_neighbor, asked_only, always},
     {"nearest-neighbor-lower", check_nearest_neighbor_lower, asked_only, always},
     {"seditious", check_seditious, asked_only, has_tau},

@@ -9,7 +9,7 @@
 #include "circumball/trace.h"
 #include "complex/live2.h"
 #include "delaunay/constructions.h"
-#include "refinement/sizing.h"
+#include "sizing/sizing.h"
 
 /// What a rule may see, and say. Rules are pure queries over the local Delaunay triangulation; only
 /// the loop inserts, queues and records.

@@ -20,8 +20,7 @@ bool rightly_refused(const Unresolved& simplex, Status status) {
   return simplex.reason == name(Reason::kFrozen) && status == Status::kComplete;
 }
 
-// The bound of --size where it is a number; an expression has no single bound to check cells
-// against.
+// The bound of --size where it is a number.
 std::optional<double> constant_size(const std::string& text) {
   if (text.empty()) return std::nullopt;
   char* end = nullptr;
@@ -42,7 +41,11 @@ VerifyOptions promised_checks(const Run& run) {
     result.checks.erase(end, result.checks.end());
   };
   result.size = constant_size(run.options().size);
-  if (!result.size) drop("size");
+  result.sizing = run.options().size;
+  drop(result.size ? "sizing" : "size");  // one of the two says it
+  if (run.options().algorithm == "fem-size" && run.steps().size() > 1) {
+    result.divisions = static_cast<std::uint32_t>(run.steps()[1].inserted);  // step 1
+  }
   result.tau = run.tau();
   if (!(run.tau() > 0)) {
     result.tau.reset();

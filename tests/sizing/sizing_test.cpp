@@ -1,4 +1,4 @@
-#include "refinement/sizing.h"
+#include "sizing/sizing.h"
 
 #include <gtest/gtest.h>
 
