@@ -38,6 +38,7 @@ int mesh_command(const MeshArguments& arguments);
 struct VerifyArguments {
   std::string mesh, input;
   std::optional<double> tau;
+  std::string size;  ///< sizing function; "@FILE": in a file; empty: none
 };
 int verify_command(const VerifyArguments& arguments);
 

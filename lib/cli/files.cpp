@@ -65,6 +65,19 @@ bool read_file(const std::string& path, std::string* bytes, std::string* error) 
 
 }  // namespace
 
+bool read_sizing(std::string* size, std::string* error) {
+  if (size->empty() || size->front() != '@') return true;
+  const std::string path = size->substr(1);
+  std::string bytes, why;
+  if (!read_file(path, &bytes, &why)) {
+    *error = fmt::format("the sizing function '{}' cannot be read: {}", path, why);
+    return false;
+  }
+  while (!bytes.empty() && (bytes.back() == '\n' || bytes.back() == '\r')) bytes.pop_back();
+  *size = std::move(bytes);
+  return true;
+}
+
 ReadResult read_input(const std::string& path) {
   std::string bytes, error;
   if (!read_file(path, &bytes, &error)) {

@@ -13,6 +13,10 @@ namespace circumball::cli {
 /// that cannot be opened or is larger than the address space allows for is a defect like any other.
 ReadResult read_input(const std::string& path);
 
+/// A sizing function as it was given: "@FILE" ("@-": standard input) stands for what is in the
+/// file, all else for itself. Fails with a sentence in `error`.
+bool read_sizing(std::string* size, std::string* error);
+
 /// ".ele" of "out/box.1.ele"; empty if there is none.
 std::string extension_of(const std::string& path);
 

@@ -43,7 +43,8 @@ void add_mesh_options(CLI::App* verb, MeshArguments* mesh) {
       ->check(kPositive)
       ->excludes("--tau");
   verb->add_option("--size", options.size,
-                   "Upper bound on the circumradius: a number, or an expression in x and y");
+                   "Upper bound on the circumradius: a number, an expression in x and y, or @FILE "
+                   "with either or with a sampled grid");
   const auto set_domain = [&options](const std::string& name) {
     options.domain = name == "hull"  ? Domain::kHull
                      : name == "box" ? Domain::kBox
@@ -103,6 +104,8 @@ int run(int argc, char** argv) {
   verify_verb->add_option("MESH", verify.mesh, "The mesh")->required();
   verify_verb->add_option("--input", verify.input, "The complex")->required();
   verify_verb->add_option("--tau", verify.tau, "Radius-edge bound to check")->check(kPositive);
+  verify_verb->add_option("--size", verify.size,
+                          "Bound on the circumradius to check, as 'mesh' takes it");
   verify_verb->callback([&] { action = [&] { return verify_command(verify); }; });
 
   std::string checked;

@@ -125,10 +125,11 @@ int mesh_command(const MeshArguments& arguments) {
   std::string error;
   std::vector<Destination> destinations;
   if (!parse_outputs(arguments, &destinations, &error)) return usage(error);
+  Options options = arguments.options;
+  if (!read_sizing(&options.size, &error)) return usage(error);
 
   const ReadResult input = read_input(arguments.input);
   if (print_defects(input.defects)) return kInvalidInput;
-  Options options = arguments.options;
   if (!known_extensions(destinations, input.complex.dimension, &error)) return usage(error);
   if (!complete_options(arguments, input.complex, &options, &error)) return usage(error);
 

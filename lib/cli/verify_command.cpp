@@ -21,6 +21,14 @@ bool named_ok(const std::vector<Check>& checks, const char* name) {
 }  // namespace
 
 int verify_command(const VerifyArguments& arguments) {
+  VerifyOptions options;
+  options.tau = arguments.tau;
+  options.sizing = arguments.size;
+  std::string error;
+  if (!read_sizing(&options.sizing, &error)) {
+    print_error(error);
+    return kUsage;
+  }
   const ReadResult input = read_input(arguments.input);
   // Of a .node file the mesh is in the .ele beside it.
   std::string mesh_file = arguments.mesh;
@@ -43,8 +51,6 @@ int verify_command(const VerifyArguments& arguments) {
   }
   // What the mesh was meant to cover is not written in it: it is what encloses, the hull, or a box,
   // whichever its area is that of. All other checks are the same for the three.
-  VerifyOptions options;
-  options.tau = arguments.tau;
   std::vector<Check> checks;
   for (const char* domain : {"closed", "hull", "box"}) {
     options.domain = domain;

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "circumball/verify.h"
 #include "support/complexes.h"
 
@@ -20,6 +23,54 @@ TEST(Sizing, TheInfimumOverATriangleIsCertified) {
   const Point2 a{0, 0}, b{1, 0}, c{0, 1};
   EXPECT_TRUE(h.exceeded_by(0.11, a, b, c));
   EXPECT_FALSE(h.exceeded_by(0.09, a, b, c));
+}
+
+TEST(Sizing, WhatIsCertainOfAnInfimumIsTrue) {
+  testing::Random random(11);
+  using Infimum = Sizing::Infimum;
+  for (const char* text : {"0.1 + (x - 0.3)^2 + (y - 0.2)^2", "x < 0.4 ? 0.05 : 0.5 + y",
+                           "0.2 + 0.1*sin(20*x)*cos(30*y)"}) {
+    const Sizing h = parsed(text);
+    for (int i = 0; i < 300; ++i) {
+      Point2 p[3];
+      for (Point2& q : p) q = {random.unit(), random.unit()};
+      const double value = 0.6 * random.unit(), radius = 0.3 * random.unit();
+      double over_triangle = 10, over_disk = 10;
+      for (int k = 0; k < 400; ++k) {
+        double u = random.unit(), v = random.unit();
+        const Point2 d{p[0].x + radius * (2 * u - 1), p[0].y + radius * (2 * v - 1)};
+        if ((u - 0.5) * (u - 0.5) + (v - 0.5) * (v - 0.5) < 0.25) {
+          over_disk = std::min(over_disk, h.at(d.x, d.y));
+        }
+        if (u + v > 1) u = 1 - u, v = 1 - v;
+        over_triangle =
+            std::min(over_triangle, h.at(p[0].x + u * (p[1].x - p[0].x) + v * (p[2].x - p[0].x),
+                                         p[0].y + u * (p[1].y - p[0].y) + v * (p[2].y - p[0].y)));
+      }
+      const Infimum t = h.compare_over_triangle(value, p[0], p[1], p[2]);
+      const Infimum d = h.compare_over_disk(value, p[0], radius);
+      if (over_triangle < value) {
+        EXPECT_NE(t, Infimum::kAtLeast) << text;
+      }
+      if (over_disk < value) {
+        EXPECT_NE(d, Infimum::kAtLeast) << text;
+      }
+      if (h.at(0.39, 0) < h.at(0.41, 0) - 0.1) continue;  // samples may miss what is behind a jump
+      if (over_triangle > value + 0.1) {
+        EXPECT_NE(t, Infimum::kBelow) << text;
+      }
+      if (over_disk > value + 0.1) {
+        EXPECT_NE(d, Infimum::kBelow) << text;
+      }
+    }
+  }
+}
+
+TEST(Sizing, ATriangleThatTouchesAJumpFromAboveIsNotBelow) {
+  const Sizing h = parsed("x < 0.4 ? 0.01 : 1");
+  const Point2 a{0.4, 0}, b{0.7, 0.3}, c{0.4, 1.0 / 3};
+  EXPECT_EQ(h.compare_over_triangle(0.9, a, b, c), Sizing::Infimum::kAtLeast);
+  EXPECT_EQ(h.compare_over_triangle(0.9, {0.39999, 0}, b, c), Sizing::Infimum::kBelow);
 }
 
 TEST(Sizing, RuppertHonorsAnExpression) {

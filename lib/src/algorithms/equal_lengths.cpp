@@ -26,6 +26,7 @@ struct Spoke {
 struct Cluster {
   Point2 q0;
   std::vector<Spoke> spokes;
+  bool closed = false;  // all around q0: the last is next to the first
 };
 
 /// Counter-clockwise about q0, from the direction of the x axis. Exact.
@@ -46,14 +47,16 @@ void append_clusters(const Point2& q0, std::vector<Spoke> spokes, std::vector<Cl
   const std::size_t n = spokes.size();
   if (n < 2) return;
   const auto acute = [&](std::size_t i) {  // to the next one
-    return in_diametral_ball(spokes[i].tip, spokes[(i + 1) % n].tip, q0) == Sign::kNegative;
+    const Point2 &a = spokes[i].tip, &b = spokes[(i + 1) % n].tip;
+    return in_diametral_ball(a, b, q0) == Sign::kNegative &&
+           orient2d(q0, a, b) == Sign::kPositive;  // not the long way round
   };
   std::size_t first = 0;
   while (first < n && acute(first)) ++first;
-  // The last of a cluster, or all are one.
+  const bool closed = first == n;
   std::rotate(spokes.begin(), spokes.begin() + static_cast<std::ptrdiff_t>((first + 1) % n),
               spokes.end());
-  Cluster cluster{q0, {}};
+  Cluster cluster{q0, {}, closed};
   for (std::size_t i = 0; i < n; ++i) {
     cluster.spokes.push_back(spokes[i]);
     if (i + 1 < n && acute(i)) continue;
@@ -141,7 +144,8 @@ class EqualDivision {
     return d.end == end ? d.distance : length_[s] - d.distance;
   }
 
-  /// Part 3, in the order of the distance from q0.
+  /// Part 3, in the order of the distance from q0. A point that is made is looked at like those
+  /// that were there: so one distance goes from neighbor to neighbor.
   void align(const Cluster& c) {
     struct Radius {
       double r;
@@ -149,8 +153,9 @@ class EqualDivision {
     };
     std::vector<Radius> radii;
     const auto n = static_cast<std::ptrdiff_t>(c.spokes.size());
+    const auto spoke = [&](std::ptrdiff_t i) { return c.spokes[static_cast<std::size_t>(i)]; };
     for (std::ptrdiff_t i = 0; i < n; ++i) {
-      const Spoke& s = c.spokes[static_cast<std::size_t>(i)];
+      const Spoke s = spoke(i);
       for (const Division& d : divisions_[s.segment]) {
         radii.push_back({from_end(s.segment, s.end, d), i});
       }
@@ -159,13 +164,18 @@ class EqualDivision {
     std::sort(radii.begin(), radii.end(), [](const Radius& x, const Radius& y) {
       return x.r != y.r ? x.r < y.r : x.spoke < y.spoke;
     });
-    for (const Radius& x : radii) {
-      const auto first = std::max<std::ptrdiff_t>(0, x.spoke - kWindow);
-      const auto last = std::min(n - 1, x.spoke + kWindow);
-      for (std::ptrdiff_t j = first; j <= last; ++j) {
-        if (j != x.spoke) {
-          align(c.q0, c.spokes[static_cast<std::size_t>(x.spoke)], x.r,
-                c.spokes[static_cast<std::size_t>(j)]);
+    std::vector<Radius> waiting;
+    for (const Radius& first : radii) {
+      waiting.push_back(first);
+      while (!waiting.empty()) {
+        const Radius x = waiting.back();
+        waiting.pop_back();
+        for (std::ptrdiff_t step = 1; step < n && step <= kWindow; ++step) {
+          for (std::ptrdiff_t j : {x.spoke - step, x.spoke + step}) {
+            if (c.closed) j = (j + n) % n;
+            if (j < 0 || j >= n || j == x.spoke) continue;
+            if (align(c.q0, spoke(x.spoke), x.r, spoke(j))) waiting.push_back({x.r, j});
+          }
         }
       }
     }
@@ -173,30 +183,30 @@ class EqualDivision {
 
   /// Splits the piece of t that has r strictly inside, if the point of s at distance r lies in its
   /// disk; but for the pieces at the ends of t that are equal to others.
-  void align(const Point2& q0, const Spoke& s, double r, const Spoke& t) {
+  bool align(const Point2& q0, const Spoke& s, double r, const Spoke& t) {
     const double length = length_[t.segment];
-    if (r >= length) return;
+    if (r >= length) return false;
+    const Division made{t.end, r};
     auto& divisions = divisions_[t.segment];
-    double a = 0, b = length;  // the piece
-    for (const Division& d : divisions) {
-      const double at = from_end(t.segment, t.end, d);
-      if (at <= r) a = std::max(a, at);
-      if (at >= r) b = std::min(b, at);
-    }
-    if (a == 0 || a == b || (b == length && in_cluster_[t.segment][1 - t.end])) return;
+    const auto after =
+        std::partition_point(divisions.begin(), divisions.end(), [&](const Division& d) {
+          return from_end(t.segment, 0, d) <= from_end(t.segment, 0, made);
+        });
+    const double before_r = after == divisions.begin() ? (t.end == 0 ? 0 : length)
+                                                       : from_end(t.segment, t.end, *(after - 1));
+    const double after_r =
+        after == divisions.end() ? (t.end == 0 ? length : 0) : from_end(t.segment, t.end, *after);
+    const double a = std::min(before_r, after_r), b = std::max(before_r, after_r);  // the piece
+    if (a == 0 || (b == length && in_cluster_[t.segment][1 - t.end])) return false;
+    if (r < kLengthSlack * a || b < kLengthSlack * r) return false;
     const double ux = s.tip.x - q0.x, uy = s.tip.y - q0.y, vx = t.tip.x - q0.x, vy = t.tip.y - q0.y;
     const double product = length_[s.segment] * length;
     const double cosine = (ux * vx + uy * vy) / product, sine = (ux * vy - uy * vx) / product;
-    if (!(cosine > 0)) return;
-    // Not where a crumb would be left, shorter than a quarter of the distance between s and t.
-    if (std::min(r - a, b - r) < 0.25 * r * std::fabs(sine)) return;
-    const double versine = sine * sine / (1 + cosine);
-    if (!((r - a) * (b - r) > r * (a + b) * versine)) return;
-    const Division made{t.end, r};
-    const auto after = std::find_if(divisions.begin(), divisions.end(), [&](const Division& d) {
-      return from_end(t.segment, 0, d) > from_end(t.segment, 0, made);
-    });
+    if (!(cosine > 0)) return false;
+    const double versine = sine * sine / (1 + cosine);  // 1 - cosine
+    if (!((r - a) * (b - r) > r * (a + b) * versine)) return false;
     divisions.insert(after, made);
+    return true;
   }
 
   std::vector<Cluster> clusters_;

@@ -12,25 +12,19 @@ namespace circumball {
 ///
 /// Ends for every h that is bounded away from 0: a circumcenter is inserted farther than inf h from
 /// all vertices, a segment that a circumcenter yields to is longer than sqrt 2 inf h, and segments
-/// encroach upon each other finitely often (equal_lengths.h). Then R_t <= inf over t of h, and R_t
-/// is at least about 1/2 min(h, lfs) near t (Theorem 7.13; the check `sizing-lower` says what of it
-/// holds).
+/// encroach upon each other finitely often (equal_lengths.h). Then R_t <= inf of h over t, and no
+/// triangle is much smaller than h or the local feature size asks for (Theorem 7.13; the check
+/// `sizing-lower` says what of its lower bound holds).
 struct FemSize : Ruppert {
   /// Priority: segments are processed before triangles (the loop does it); triangles by birth.
   using Triangles = TrianglesByBirth;
 
   using Conform::unacceptable;
-  /// Unacceptability: a segment s is unacceptable if its diametral disk is non-empty (Conform). A
-  /// triangle t is unacceptable if the infimum of h over t is less than R_t: `size` where h is
-  /// constant. A region's own bound on the area counts, too.
+  /// Unacceptability: a segment is unacceptable if its diametral disk is non-empty (Conform). A
+  /// triangle t is unacceptable if inf of h over t is less than R_t. A region's own bound on the
+  /// area counts, too.
   Verdict unacceptable(const View& view, TriangleRef t) const {
-    const TriangleShape shape = view.shape(t);
-    const bool exceeds = sizing ? view.exceeds(*sizing, t, shape) : shape.circumradius() > size;
-    if (exceeds) return {Reason::kSize, VertexId(), shape.circumradius()};
-    if (const double bound = view.area_bound(t); bound > 0 && shape.area() > bound) {
-      return {Reason::kRegionSize, VertexId(), shape.area()};
-    }
-    return {};
+    return too_large(view, t, view.shape(t));
   }
 
   /// Action: insert the circumcenter of a simplex unless the simplex is a triangle and the

@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "refinement/sizing.h"
 #include "refinement/stage.h"
+#include "sizing/sizing.h"
 
 namespace circumball {
 

@@ -155,7 +155,7 @@ std::vector<AlgorithmInfo> make_registry() {
       "shells first; "
       "tested here).";
   terminator.checks = {"topology",  "delaunay",    "input-vertices", "input-segments", "area",
-                       "seditious", "radius-edge", "size",           "grading"};
+                       "seditious", "radius-edge", "size",           "sizing",         "grading"};
 
   AlgorithmInfo chew;
   chew.id = "chew";
