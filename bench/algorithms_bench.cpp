@@ -60,7 +60,7 @@ int main(int argc, char** argv) {
       const bool has_tau =
           std::any_of(info.parameters.begin(), info.parameters.end(),
                       [](const circumball::ParameterInfo& p) { return p.name == "tau"; });
-      if (has_tau && info.dimension == 2) ids.push_back(info.id);
+      if ((has_tau || info.id == "fem-size") && info.dimension == 2) ids.push_back(info.id);
     }
     std::vector<std::vector<double>> rates(ids.size());
     std::vector<std::size_t> vertices(ids.size());

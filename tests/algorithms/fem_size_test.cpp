@@ -80,12 +80,13 @@ TEST(Theorem7_13, HoldsForIsolatedVerticesAndASingleOne) {
 /// disjoint features are near to, some are smaller than printed.
 TEST(Theorem7_13, ThePrintedConstantFailsOnSegments) {
   double least = 1;
-  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
     testing::Random random(seed);
     const double degrees = 2 + 10 * random.unit();
     const Point2 tip = testing::polar(0, 0, 1, degrees);
     const Complex wedge = testing::polygon({{0, 0}, {1, 0}, tip});
     Options options = options_of("fem-size");
+    options.domain = Domain::kBox;  // circumcenters beside the wedge yield to its sides
     const double h = 0.05 + 0.1 * random.unit();
     options.size = std::to_string(h);
     const auto run = finish(wedge, options);
@@ -103,6 +104,35 @@ TEST(Theorem7_13, ThePrintedConstantFailsOnSegments) {
   }
   EXPECT_LT(least, 0.5);
   EXPECT_GT(least, 0.5 / std::sqrt(2.0));
+}
+
+/// h is small in one spot of a fan only, and large within (1 + sqrt 2) r_q of far vertices: splits
+/// go from segment to segment all the same. So the ball of the theorem must reach around the fan.
+TEST(Theorem7_13, SplitsGoAroundAFanFarFromWhereTheSizeIsSmall) {
+  Complex fan;
+  fan.vertices.push_back({0, 0, 0});
+  for (std::uint32_t i = 0; i < 43; ++i) {
+    fan.vertices.push_back(xyz(testing::polar(0, 0, 1, 2 * i)));
+    fan.segments.push_back({0, i + 1});
+  }
+  Options options = options_of("fem-size");
+  options.size = "max(abs(x - 0.3), abs(y)) < 0.02 ? 0.01 : 10";
+  const auto run = finish(fan, options);
+  const Mesh mesh = run->mesh();
+  double least = 10;
+  for (std::size_t i = 0; i < mesh.cell_count(); ++i) {
+    const std::uint32_t* t = mesh.cell(i);
+    const Point2 a = xy(mesh.vertices[t[0]]), b = xy(mesh.vertices[t[1]]),
+                 c = xy(mesh.vertices[t[2]]);
+    if (std::min({a.y, b.y, c.y}) < 0.2) continue;
+    const double area2 = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+    least = std::min(
+        least, length_between(a, b) * length_between(b, c) * length_between(c, a) / (2 * area2));
+  }
+  EXPECT_LT(least, 0.01);  // h is 10 there, and no two disjoint features are nearer than 0.2
+  for (const Check& k : verify(mesh, run->complex(), promised_checks(*run))) {
+    EXPECT_TRUE(k.ok) << k.name << ": " << k.detail;
+  }
 }
 
 TEST(FemSize, EndsWithFewVerticesWhereAnglesAreTiny) {
