@@ -25,6 +25,8 @@ describe.each(commands)('%s', (_, command) => {
       [['mesh', 'square.poly', '--tau', '-1']],
       [['mesh', 'square.poly', '--domain', 'everything']],
       [['mesh', 'square.poly', '--size', '1 +']],
+      [['mesh', 'square.poly', '--size', '@no-such-file']],
+      [['mesh', 'square.poly', '--size', '{"grid": {}}']],
       [['mesh', 'square.poly', '--algorithm', 'ruppert', '--set', 'colour=red']],
       [['mesh', 'square.poly', '--algorithm', 'ruppert', '--set', 'steiner=anywhere']],
       [['mesh', 'square.poly', '-o', 'square.nothing']],
@@ -222,6 +224,23 @@ describe.each(commands)('%s', (_, command) => {
     moved.vertices[last] = [moved.vertices[last][0] + 0.3, moved.vertices[last][1] + 0.3];
     bench.write('moved.json', JSON.stringify(moved));
     expect(bench.run('verify', 'moved.json', '--input', 'square.poly').code).toBe(1);
+  });
+
+  it('--size reads an expression or a grid from a file, and verify --size holds a mesh to it', () => {
+    const grid = { origin: [0, 0], spacing: [1, 1], columns: 2, values: [0.05, 0.3, 0.1, 0.3] };
+    bench.write('grid.json', JSON.stringify({ grid }));
+    bench.write('size.txt', '0.05 + 0.2*x\n');
+    for (const file of ['grid.json', 'size.txt']) {
+      for (const algorithm of ['fem-size', 'ruppert']) {
+        const args = ['mesh', 'square.poly', '--algorithm', algorithm, '--size', `@${file}`];
+        const { code, out } = bench.run(...args, '--verify', '-o', 'sized.json');
+        expect(out).toMatch(/ok +sizing/);
+        expect(code).toBe(0);
+        const verify = ['verify', 'sized.json', '--input', 'square.poly', '--size'];
+        expect(bench.run(...verify, `@${file}`).code).toBe(0);
+        expect(bench.run(...verify, '0.03').code).toBe(1);
+      }
+    }
   });
 
   it('-o writes the family of the extension, and again for more formats', () => {
