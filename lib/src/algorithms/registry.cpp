@@ -202,8 +202,8 @@ std::vector<AlgorithmInfo> make_registry() {
       "It ends for every complex and every $h$ that is bounded away from 0; the mesh conforms to "
       "the input, and $R_t \\le \\inf_{x \\in t} h(x)$ for every triangle $t$ (Theorem 7.13). "
       "Angles are not bounded, but mostly good.";
-  fem_size.checks = {"topology", "delaunay", "input-vertices", "input-segments",
-                     "area",     "size",     "sizing",         "sizing-lower"};
+  fem_size.checks = {"topology", "delaunay", "input-vertices", "input-segments", "area",
+                     "size",     "sizing",   "sizing-lower",   "grading"};
   fem_size.default_domain = "closed";
 
   return {delaunay, ruppert, chew, feature_size, collar, intestine, terminator, fem_size};
