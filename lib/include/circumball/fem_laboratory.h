@@ -60,9 +60,8 @@ const std::vector<FamilyInfo>& mesh_families();
 
 constexpr std::uint64_t kMaxFamilyCells = 2'000'000;
 /// `n` columns of width 1/n, each cut into n * `degeneration` rows (in family (c): n rows, whose
-/// edges are divided into `degeneration` in every second line). The longest edge tends to 1/n, for
-/// (c) to at most 1.12/n. Fails for n or degeneration 0, and beyond kMaxFamilyCells, with a
-/// sentence in `error`.
+/// edges are divided into `degeneration` in every second line). No edge is longer than sqrt 2 / n.
+/// Fails for n or degeneration 0, and beyond kMaxFamilyCells, with a sentence in `error`.
 Mesh family_mesh(MeshFamily family, std::uint32_t n, std::uint32_t degeneration,
                  std::string* error);
 
