@@ -26,6 +26,10 @@ test.describe('a student looks at the theory', () => {
     await page.getByRole('button', { name: 'Examples' }).click();
     await page.locator('[data-example=fan-intestine]').click();
     await finished(page);
+    // It opens beside its collars: one picture is enough here.
+    await page.getByTestId('pane-2').waitFor();
+    await page.keyboard.press('c');
+    await expect(page.getByTestId('pane-2')).toHaveCount(0);
     await page.keyboard.press('End');
     await page.getByRole('button', { name: 'Overlays' }).click();
     const names = {

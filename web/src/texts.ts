@@ -157,11 +157,9 @@ export const texts = {
     title: 'Local feature size',
     invite:
       'Point at the picture, or give a point: the ball that shows its local feature size is drawn.',
-    touchInvite: 'Tap a point of the picture for its ball.',
     point: 'At the point',
     release: 'Let the point go',
-    measuring: 'Measuring …',
-    key: 'lfs',
+    measuring: 'measuring …',
     ball: (at: string, radius: string, first: string, second: string) =>
       `lfs${at} = ${radius}: the smallest closed ball there that meets two disjoint input features; it meets ${first} and touches ${second}.`,
     none: (at: string) => `lfs${at} = ∞: no two input features are disjoint.`,
@@ -186,7 +184,6 @@ export const texts = {
     born: 'born',
     event: (event: number, step: string) => `event ${formatCount(event)}, step ${step}`,
     showBirth: 'Show that moment',
-    why: 'why',
     insertionRadius: 'r_q',
     lfs: 'lfs(q)',
     ratio: 'lfs(q) / r_q',
@@ -196,8 +193,6 @@ export const texts = {
       `${theorem} bounds it by ${symbol}${value === '' || value === symbol ? '' : ` = ${value}`}${condition === '' ? '' : ` (${condition})`}.`,
     unbounded: (theorem: string, symbol: string) =>
       `${theorem}: at most some ${symbol} that depends on the input angles and the parameters alone.`,
-    nearestBound: (lower: string, upper: string) =>
-      `${lower}${lower && upper ? ' and ' : ''}${upper}`,
     ancestry: 'Ancestry',
     ancestryHint:
       'Each vertex and the one that made it necessary (the cases of the proof of Theorem 2.2).',
