@@ -18,7 +18,7 @@ for (const theme of ['light', 'dark'] as const) {
     test('on the page, in every tab', async ({ page }) => {
       await open(page);
       await finished(page);
-      for (const tab of ['Mesh', 'Setup', 'Why']) {
+      for (const tab of ['Mesh', 'Setup', 'Numerics', 'Why']) {
         const button = page.getByRole('tab', { name: tab });
         if (!(await button.isVisible())) await page.getByRole('button', { name: 'Panel' }).click();
         await button.click();
@@ -41,6 +41,19 @@ for (const theme of ['light', 'dark'] as const) {
       await page.getByLabel('Pick a vertex by number').fill('50');
       await page.getByRole('button', { name: 'Pick', exact: true }).click();
       await expect(page.getByTestId('ancestry')).toBeVisible();
+      await check(page);
+    });
+
+    test('after a study, and in the triangle laboratory', async ({ page }) => {
+      await open(page);
+      await finished(page);
+      await page.keyboard.press('Shift+N');
+      await page.getByLabel('meshes').fill('2');
+      await page.getByRole('button', { name: 'Refine and watch' }).click();
+      await expect(page.getByTestId('study').locator('tbody tr')).toHaveCount(2);
+      await check(page);
+      await page.keyboard.press('Shift+T');
+      await expect(page.getByTestId('per-R')).not.toHaveText('–');
       await check(page);
     });
 

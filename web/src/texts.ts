@@ -110,6 +110,7 @@ export const texts = {
     step: 'Step of birth',
     age: 'Age',
     region: 'Region',
+    error: 'Error on each triangle',
   },
   overlays: {
     mesh: 'Mesh',
@@ -367,6 +368,157 @@ export const texts = {
     parameters:
       'Each algorithm has its parameters under Setup; the button beside its name chooses whose the panel shows.',
   },
+  /** Linear elements on the mesh at hand (thesis, chapter 7). */
+  numerics: {
+    tab: 'Numerics',
+    title: 'Numerical methods',
+    function: 'Function',
+    choose: 'Choose a function',
+    own: 'an expression of your own',
+    expression: 'u(x, y)',
+    domain: (title: string) => `Open the domain of “${title}”`,
+    domainHint: 'It is meant for another domain; here it is moved and scaled to your input.',
+    method: 'Approximation',
+    methods: {
+      interpolation: 'Interpolant',
+      poisson: 'Poisson’s equation',
+      averaged: 'Averaged interpolant',
+    },
+    methodHints: {
+      interpolation: '$I_1 u$ takes the values of $u$ at the vertices.',
+      poisson: 'Linear elements for $-\\Delta v = -\\Delta u$, with $v = u$ on the boundary.',
+      averaged:
+        'Theorem 7.12: $u$ is cut off near the boundary, smoothed over $h$, and interpolated. It needs no values at the vertices and no angle condition; $u$ should be zero on the boundary.',
+    },
+    notZero:
+      'Here u is not zero on the boundary, and what is cut off there is lost: in L² the error falls like √h only. Open the domain of “Steep shores” to see the order 1 of the theorem.',
+    norm: 'Colored by',
+    norms: { h1: '$|u - u_h|_{H^1}$', l2: '$\\|u - u_h\\|_{L^2}$' },
+    normNames: { h1: 'error in H1', l2: 'error in L2' },
+    mesh: 'Mesh',
+    run: 'the mesh of the run',
+    figure: (letter: string, title: string) => `Figure 7.1(${letter}): ${title.toLowerCase()}`,
+    columns: 'columns',
+    degeneration: 'degeneration',
+    familyTitle: (title: string, columns: number, degeneration: number) =>
+      `${title}: ${columns} columns, degeneration ${degeneration}`,
+    sizeTitle: (h: string) => `The mesh of the study with h = ${h}`,
+    back: 'Back to the run',
+    errors: 'Errors',
+    relative: (percent: string) => `${percent} of u`,
+    rows: {
+      h1: '$|u - u_h|_{H^1}$',
+      l2: '$\\|u - u_h\\|_{L^2}$',
+      h: 'longest edge $h$',
+      circumradius: 'largest $R$',
+      angle: 'largest angle',
+      triangles: 'triangles',
+      unknowns: 'unknowns',
+    },
+    weakLoad: 'u is made of pieces: the load is taken as the integral of ∇u · ∇v.',
+    unsettled: (n: number) =>
+      `On ${formatCount(n)} triangles the integral did not settle: the error is known roughly there.`,
+    measuring: 'Measuring …',
+    now: (method: string, triangles: string, h1: string, l2: string) =>
+      `${method} on ${triangles} triangles: the error is ${h1} in H¹ and ${l2} in L².`,
+    needsRun: 'Refine the input first, or choose a family of meshes.',
+    study: 'Refine and watch',
+    varied: 'What changes',
+    varieds: {
+      size: 'size',
+      columns: 'columns (h)',
+      degeneration: 'degeneration',
+    },
+    first: 'from',
+    count: 'meshes',
+    start: 'Refine and watch',
+    stop: 'Stop',
+    working: (name: string, value: string) => `${name} = ${value} …`,
+    byAlgorithm: (title: string) =>
+      `Meshes by: ${title}. Each has half the size of the one before.`,
+    byFamily: 'Each mesh has twice the value of the one before.',
+    limit: 'The bound on vertices was reached (Setup): the study ends here.',
+    order: (norm: string, order: string) => `${norm}: order ${order}`,
+    orders: 'Observed order',
+    growth: 'Observed growth',
+    power: 'power',
+    grows: (norm: string, power: string) => `${norm}: like k^${power}`,
+    noOrder: 'Two meshes with an error are needed for an order.',
+    exact: 'The error is rounding only: u is linear on every triangle.',
+    plotLabel: (method: string, x: string) =>
+      `Errors of the ${method} against ${x}, both by logarithms. The table below has the numbers.`,
+    slope: (n: number) => `h${n === 1 ? '' : '²'}`,
+    axisH: 'h',
+    axisDegeneration: 'degeneration',
+    asR: 'R',
+    table: 'Numbers of the study',
+    rate: 'order',
+    show: 'Show this mesh',
+    csv: 'Numbers (CSV)',
+    png: 'Plot (PNG)',
+    stale: 'This study is about another function; start it again.',
+    needsAveraged: 'The averaged interpolant was not part of this study; start it again.',
+    laboratory: 'A single triangle',
+    laboratoryHint:
+      'Why R and not h: drag the apex of one triangle and watch the constants of Theorem 7.10.',
+  },
+  /** The triangle laboratory (thesis, section 7.2.3). */
+  triangle: {
+    title: 'Triangle laboratory',
+    figure: 'The triangle with its circumscribed and inscribed circles',
+    hint: 'Drag a corner, or focus it and use the arrow keys (Shift: finer).',
+    corner: (name: string) => `Corner ${name}`,
+    at: (x: string, y: string) => `${x}, ${y}`,
+    presets: 'Shapes',
+    presetNames: {
+      equilateral: 'Equilateral',
+      needle: 'Needle, right-angled',
+      flat: 'Flat, isosceles',
+      skew: 'Flat, skew',
+    },
+    halve: 'Halve the height',
+    double: 'Double the height',
+    cornersTitle: 'Corners',
+    shape: 'Shape',
+    angles: 'angles',
+    h: 'longest edge $h$',
+    R: 'circumradius $R$',
+    bound75: 'Proposition 7.5: $R \\ge$',
+    inradius: 'inradius',
+    radiusEdge: 'radius / shortest edge',
+    parameters: 'Figure 7.2: $(\\alpha, \\beta)$',
+    constants: 'The constant',
+    constant: '$C = \\max |u - I_1 u|_{H^1} / |u|_{H^2}$',
+    constantHint: 'over all quadratic $u$',
+    perR: '$C / R$',
+    perH: '$C / h$',
+    kobayashi: '$C$ over all $u$ (Kobayashi): at most',
+    l2: '$C$ for $L^2$',
+    error: 'This function',
+    h1Error: '$|u - I_1 u|_{H^1}$',
+    h1Bound: '$R \\, |u|_{H^2}$',
+    ratio: 'error / bound',
+    worst: 'Take the worst quadratic',
+    plot: 'The apex comes down',
+    plotHint: (beta: string) =>
+      `The apex sinks onto the longest edge above the same foot, $\\beta$ = ${beta}: the constant against h and against R.`,
+    axis: 'height / longest edge',
+    perRName: 'C / R',
+    perHName: 'C / h',
+    plotTable: 'Numbers of the plot',
+    apexAngle: 'largest angle',
+    link: 'Copy a link to this triangle',
+    linkCopied: 'Link copied.',
+    flatError: 'The corners are in line.',
+    seen: {
+      flat: (angle: string, rh: string, perH: string, perR: string) =>
+        `The largest angle is ${angle}. R is ${rh} h, and the constant has grown with it: ${perH} h, but only ${perR} R. Large angles are the danger, and R is what measures it.`,
+      needle: (angle: string, rh: string, perH: string, perR: string) =>
+        `Narrow, but no angle is above ${angle}: R is still ${rh} h, and the constant stays small, ${perH} h or ${perR} R. Small angles alone do no harm.`,
+      fat: (angle: string, rh: string, perH: string, perR: string) =>
+        `A well-shaped triangle, its largest angle is ${angle}: R is ${rh} h, the constant is ${perH} h or ${perR} R. Now bring the apex down.`,
+    },
+  },
   open: {
     drop: 'Drop the file to open it',
     failed: (name: string) => `${name} could not be opened.`,
@@ -401,6 +553,14 @@ export function formatNumber(x: number): string {
 function superscript(power: string): string {
   const digits = '⁰¹²³⁴⁵⁶⁷⁸⁹';
   return [...power].map((c) => (c >= '0' && c <= '9' ? digits[Number(c)] : '⁻')).join('');
+}
+
+/** 0.002, 50, 10⁻⁴, 2 · 10⁻⁵: numbers of few digits, as axes carry them. */
+export function formatTick(x: number): string {
+  if (x >= 1e-3 && x < 1e5) return String(Number(x.toPrecision(3)));
+  const [digits, power] = x.toExponential().split('e');
+  const ten = `10${superscript(power!.replace('+', ''))}`;
+  return digits === '1' ? ten : `${digits} · ${ten}`;
 }
 
 export function formatDegrees(x: number): string {

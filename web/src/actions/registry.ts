@@ -273,6 +273,25 @@ const view: Action[] = [
     perform: () => (app.comparing ? app.closeComparison() : void app.compare()),
   },
   {
+    id: 'numerics',
+    title: texts.numerics.title,
+    group: 'View',
+    keys: ['Shift+N'],
+    perform: () => {
+      settings.panelOpen = true;
+      app.sheetOpen = true;
+      app.tab = 'numerics';
+      requestAnimationFrame(() => document.getElementById('tab-numerics')?.focus());
+    },
+  },
+  {
+    id: 'triangle',
+    title: texts.triangle.title,
+    group: 'View',
+    keys: ['Shift+T'],
+    perform: () => (app.dialog = 'triangle'),
+  },
+  {
     id: 'theme',
     title: 'Dark or light',
     group: 'View',

@@ -1,6 +1,12 @@
 import type {
   Defect,
   FeatureSizesAnswer,
+  FemAveraged,
+  FemField,
+  FemPoisson,
+  FemStudy,
+  FemTriangle,
+  MeshArrays,
   Progress,
   ReadAnswer,
   Report,
@@ -103,6 +109,42 @@ export class CoreClient {
     return this.call((core) => core.writeComplex(complex, extension));
   }
 
+  async femFamily(
+    id: string,
+    n: number,
+    degeneration: number,
+  ): Promise<{ ok: boolean; error: string; mesh: MeshArrays | null }> {
+    return this.call((core) => core.femFamily(id, n, degeneration));
+  }
+
+  async femInterpolate(mesh: MeshArrays, expression: string): Promise<FemField> {
+    return this.call((core) => core.femInterpolate(mesh, expression), PATIENCE_VERIFY_MS);
+  }
+
+  async femPoisson(mesh: MeshArrays, expression: string): Promise<FemPoisson> {
+    return this.call((core) => core.femPoisson(mesh, expression), PATIENCE_VERIFY_MS);
+  }
+
+  async femAveraged(mesh: MeshArrays, expression: string): Promise<FemAveraged> {
+    return this.call((core) => core.femAveraged(mesh, expression), PATIENCE_VERIFY_MS);
+  }
+
+  async femStudy(
+    complex: string,
+    options: string,
+    expression: string,
+    size: number,
+  ): Promise<FemStudy> {
+    return this.call(
+      (core) => core.femStudy(complex, options, expression, size),
+      PATIENCE_VERIFY_MS,
+    );
+  }
+
+  async femTriangles(corners: Float64Array, expression: string): Promise<FemTriangle[]> {
+    return this.call((core) => core.femTriangles(corners, expression));
+  }
+
   /** Ends the worker and fails what waits for it. The next call starts a new one. */
   replace(loss: CoreLoss): void {
     if (!this.worker) return;
@@ -114,7 +156,7 @@ export class CoreClient {
     this.onLoss(loss);
   }
 
-  /** Ends the worker for good, and nobody is told: the page has no more use for it. */
+  /** Ends the worker, and nobody is told: the page has no more use for what it does. */
   dispose(): void {
     this.worker?.terminate();
     this.worker = null;

@@ -3,6 +3,14 @@ import createCircumball, {
   type CircumballModule,
   type Defect,
   type FeatureSizesAnswer,
+  type FemAveraged,
+  type FemFamilyInfo,
+  type FemField,
+  type FemFunction,
+  type FemPoisson,
+  type FemStudy,
+  type FemTriangle,
+  type MeshArrays,
   type Progress,
   type ReadAnswer,
   type Report,
@@ -21,6 +29,8 @@ export interface Hello {
   selfTest: string;
   algorithms: AlgorithmInfo[];
   extensions: string[];
+  functions: FemFunction[];
+  families: FemFamilyInfo[];
 }
 
 export interface StartAnswer {
@@ -60,6 +70,8 @@ const api = {
       selfTest: core.selfTest(),
       algorithms: core.algorithms(),
       extensions: core.meshExtensions(2),
+      functions: core.femFunctions(),
+      families: core.femFamilies(),
     };
   },
 
@@ -120,7 +132,43 @@ const api = {
   ): { ok: boolean; error: string; files: OutputFile[] } {
     return core.writeComplex(complex, extension);
   },
+
+  femFamily(
+    id: string,
+    n: number,
+    degeneration: number,
+  ): { ok: boolean; error: string; mesh: MeshArrays | null } {
+    return core.femFamily(id, n, degeneration);
+  },
+
+  femInterpolate(mesh: MeshArrays, expression: string): FemField {
+    return core.femInterpolate(mesh, expression);
+  },
+
+  femPoisson(mesh: MeshArrays, expression: string): FemPoisson {
+    return core.femPoisson(mesh, expression);
+  },
+
+  femAveraged(mesh: MeshArrays, expression: string): FemAveraged {
+    return core.femAveraged(mesh, expression, 0);
+  },
+
+  femStudy(complex: string, options: string, expression: string, size: number): FemStudy {
+    return core.femStudy(complex, options, expression, size);
+  },
+
+  /** Six coordinates a triangle. */
+  femTriangles(corners: Float64Array, expression: string): FemTriangle[] {
+    const answers: FemTriangle[] = [];
+    for (let i = 0; i + 5 < corners.length; i += 6) {
+      const [ax, ay, bx, by, cx, cy] = corners.subarray(i, i + 6) as unknown as SixNumbers;
+      answers.push(core.femTriangle(ax, ay, bx, by, cx, cy, expression));
+    }
+    return answers;
+  },
 };
+
+type SixNumbers = [number, number, number, number, number, number];
 
 export type CoreApi = typeof api;
 Comlink.expose(api);

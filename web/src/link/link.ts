@@ -1,6 +1,7 @@
 import type { RunOptions } from 'circumball';
 import { deflateSync, inflateSync, strFromU8, strToU8 } from 'fflate';
 import { complexFromJson, complexToText } from '../core/complex-json.ts';
+import { type Corners, isCorners } from '../numerics/triangle.ts';
 import type { Pace } from '../replay/lockstep.ts';
 import type { ColorMode, Complex2, View } from '../shared/types.ts';
 
@@ -13,6 +14,8 @@ export interface Shared {
   readonly color?: ColorMode;
   readonly overlays?: readonly string[]; // of the theory, by name
   readonly compare?: ComparisonOptions;
+  readonly numerics?: NumericsOptions; // what is measured on the mesh
+  readonly triangle?: TriangleOptions; // the triangle laboratory is open
 }
 
 /** A second algorithm beside the first one. */
@@ -20,6 +23,24 @@ export interface ComparisonOptions {
   readonly options: RunOptions;
   readonly pace: Pace;
   readonly tick: number | null; // of the common timeline; null: where `moment` is
+}
+
+/** A function, how it is approximated, and on which mesh: of a family, or (null) of the run. */
+export interface NumericsOptions {
+  readonly function: string; // id of the core's list; '' for one's own
+  readonly expression: string;
+  readonly method: string;
+  readonly norm: string;
+  readonly family: {
+    readonly id: string;
+    readonly columns: number;
+    readonly degeneration: number;
+  } | null;
+}
+
+export interface TriangleOptions {
+  readonly corners: Corners;
+  readonly expression: string;
 }
 
 const PREFIX = '#v1=';
@@ -40,7 +61,7 @@ export function fromHash(hash: string): Shared | null {
   try {
     const packed = fromBase64(hash.slice(PREFIX.length));
     const json = JSON.parse(strFromU8(inflateBounded(packed)));
-    const { options, moment, view, color, overlays, compare } = json.rest ?? {};
+    const { options, moment, view, color, overlays, compare, numerics, triangle } = json.rest ?? {};
     if (!isComplexJson(json.complex)) throw new Error('no complex');
     return {
       complex: complexFromJson(json.complex),
@@ -50,6 +71,10 @@ export function fromHash(hash: string): Shared | null {
       ...(typeof color === 'string' ? { color: color as ColorMode } : {}),
       ...(Array.isArray(overlays) ? { overlays: overlays.map(String) } : {}),
       ...(isRecord(compare) ? { compare: comparisonOf(compare) } : {}),
+      ...(isRecord(numerics) ? { numerics: numericsOf(numerics) } : {}),
+      ...(isRecord(triangle) && isCorners(triangle.corners)
+        ? { triangle: { corners: triangle.corners, expression: String(triangle.expression ?? '') } }
+        : {}),
     };
   } catch {
     throw new Error(
@@ -63,6 +88,20 @@ function comparisonOf({ options, pace, tick }: Record<string, unknown>): Compari
     options: isRecord(options) ? (options as RunOptions) : {},
     pace: pace === 'share' ? 'share' : 'vertices',
     tick: isPosition(tick) ? tick : null,
+  };
+}
+
+function numericsOf(x: Record<string, unknown>): NumericsOptions {
+  const { id, columns, degeneration } = isRecord(x.family) ? x.family : {};
+  return {
+    function: String(x.function ?? ''),
+    expression: String(x.expression ?? ''),
+    method: String(x.method ?? ''),
+    norm: String(x.norm ?? ''),
+    family:
+      typeof id === 'string' && isPosition(columns) && isPosition(degeneration)
+        ? { id, columns, degeneration }
+        : null,
   };
 }
 

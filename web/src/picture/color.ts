@@ -179,6 +179,7 @@ export function colorAt(mode: ColorMode, dark: boolean, t: number, classes: numb
   if (isCategorical(mode)) {
     return categoryColor(Math.min(Math.floor(t * classes), classes - 1), dark);
   }
-  const name = mode === 'quality' ? 'quality' : mode === 'age' ? 'age' : 'size';
-  return rampAt(dark ? stops[name].dark : stops[name].light, t);
+  const name = mode === 'quality' || mode === 'error' ? 'quality' : mode === 'age' ? 'age' : 'size';
+  // Large errors stand out as small angles do.
+  return rampAt(dark ? stops[name].dark : stops[name].light, mode === 'error' ? 1 - t : t);
 }

@@ -6,11 +6,19 @@ import { measureTriangle, type TriangleMeasures } from './measures';
 import type { MeshModel } from './mesh-model';
 import { regionsOf } from './regions';
 
+/** Errors smaller than the largest by more than this power of two are all alike: what matters is where the large ones are. */
+const ERROR_OCTAVES = 8;
+
+/** Below every logarithm of a double, and finite on the GPU. */
+const UNMEASURED = -1e4;
+
 const scratch: TriangleMeasures = { minAngle: 0, circumradius: 0, longest: 0, height: 0 };
 
 export class Coloring {
   mode: ColorMode = 'plain';
   range: readonly [number, number] = [0, 1]; // of the values; base-2 logarithms where the scale is logarithmic
+  /** Measured elsewhere, by number of the triangle; what the mode 'error' shows. */
+  values: Float64Array | null = null;
   private dark = false;
   private classes = 1;
   private regions: Int32Array | null = null;
@@ -26,12 +34,12 @@ export class Coloring {
   }
 
   get logarithmic(): boolean {
-    return this.mode === 'size' || this.mode === 'radius';
+    return this.mode === 'size' || this.mode === 'radius' || this.mode === 'error';
   }
 
-  /** Null in plain mode; the same object as long as nothing of it changed. */
+  /** Null in plain mode, or if nothing was measured; the same object as long as nothing of it changed. */
   get scale(): ColorScale | null {
-    if (this.mode === 'plain') return null;
+    if (this.mode === 'plain' || (this.mode === 'error' && !this.values)) return null;
     const { mode, dark, classes, logarithmic } = this;
     const [min, max] = this.range;
     const key = `${mode} ${dark} ${classes} ${min} ${max}`;
@@ -87,6 +95,11 @@ export class Coloring {
         return 0;
       case 'age':
         return born[slot]!;
+      case 'error': {
+        // What was not measured yet is drawn like what has no error, and is not counted.
+        const error = this.values?.[this.model.triangleSlots.numbers[slot]!] ?? 0;
+        return error > 0 ? Math.log2(error) : UNMEASURED;
+      }
       case 'region':
         return (this.regions?.[slot] ?? 0) + 0.5;
       case 'step': {
@@ -137,10 +150,12 @@ export class Coloring {
     for (let slot = 0; slot < model.triangleCount; ++slot) {
       if (model.labels[slot] === Label.outside) continue;
       const v = this.value(slot);
+      if (v === UNMEASURED) continue;
       if (v < min) min = v;
       if (v > max) max = v;
     }
     if (min > max) return [0, 1];
+    if (this.mode === 'error') min = Math.max(min, max - ERROR_OCTAVES);
     // Whole powers of two, so that colors stay as they are while a few triangles change.
     return [Math.floor(min), Math.max(Math.ceil(max), Math.floor(min) + 1)];
   }

@@ -187,6 +187,15 @@ export class CanvasPicture implements Picture {
     return this.scene.coloring.scale;
   }
 
+  setValues(values: Float64Array | null): void {
+    const { coloring } = this.scene;
+    if (values === coloring.values) return;
+    coloring.values = values;
+    if (coloring.mode !== 'error') return;
+    coloring.updateRange();
+    this.touch('triangles', 'look');
+  }
+
   setOverlays(overlays: Overlays): void {
     const before = this.scene.overlays;
     this.scene.overlays = overlays;

@@ -129,7 +129,15 @@ export interface Moment {
 
 // ---------------------------------------------------------------------------------------------- the picture
 
-export type ColorMode = 'plain' | 'quality' | 'size' | 'radius' | 'step' | 'age' | 'region';
+export type ColorMode =
+  | 'plain'
+  | 'quality'
+  | 'size'
+  | 'radius'
+  | 'step'
+  | 'age'
+  | 'region'
+  | 'error';
 
 /** A color scale laid over the triangles; the picture fills it in when it colors, the legend reads it. */
 export interface ColorScale {
@@ -255,6 +263,8 @@ export interface Picture {
   setComplex(complex: Complex2, selection: Selection | null, defects: readonly DefectMark[]): void;
   setSketch(sketch: Sketch | null): void;
   setColorMode(mode: ColorMode): ColorScale | null;
+  /** What the mode 'error' colors by: a number for each triangle, by its number. Null: nothing was measured. */
+  setValues(values: Float64Array | null): void;
   setOverlays(overlays: Overlays): void;
   /** What the overlays show beyond the mesh; drawn as far as `setOverlays` switches it on. */
   setFacts(facts: OverlayFacts): void;

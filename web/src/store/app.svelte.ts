@@ -6,16 +6,18 @@ import type { ComparisonOptions, Shared } from '../link/link.ts';
 import { point } from '../replay/geometry.ts';
 import { refinedComplex } from '../replay/refined-complex.ts';
 import { type Complex2, emptyComplex, type Point, type View } from '../shared/types.ts';
-import { texts } from '../texts.ts';
+import { formatNumber, texts } from '../texts.ts';
 import { Comparison } from './comparison.svelte.ts';
 import { DocumentStore } from './document.svelte.ts';
 import { FeatureStore } from './features.svelte.ts';
+import { type FamilyChoice, NumericsStore } from './numerics.svelte.ts';
 import { Pane } from './pane.svelte.ts';
 import { Settings } from './settings.svelte.ts';
+import { TriangleStore } from './triangle.svelte.ts';
 import { RepetitionZoom } from './zoom.svelte.ts';
 
-export type DialogId = 'gallery' | 'export' | 'share' | 'help';
-export type Tab = 'why' | 'mesh' | 'setup' | 'compare';
+export type DialogId = 'gallery' | 'export' | 'share' | 'help' | 'triangle';
+export type Tab = 'why' | 'mesh' | 'setup' | 'numerics' | 'compare';
 
 export interface Notice {
   readonly text: string;
@@ -34,6 +36,9 @@ export class App {
     () => this.settings.speed,
     (loss) => this.coreLost(loss),
   );
+
+  readonly numerics = new NumericsStore((loss) => this.coreLost(loss));
+  readonly triangle = new TriangleStore((loss) => this.coreLost(loss));
 
   hello = $state.raw<Hello | null>(null);
   coreError = $state('');
@@ -97,6 +102,11 @@ export class App {
   readonly fresh = $derived(
     this.first.run.trace !== null && this.first.run.complex === this.doc.complex,
   );
+
+  /** Are errors of a function measured and shown? */
+  readonly measures = $derived(this.mode === 'watch' && this.tab === 'numerics');
+  /** The mesh in the picture that is not the run's. */
+  readonly still = $derived(this.measures ? this.numerics.still : null);
 
   private readonly boxed = $derived.by(() => {
     const { trace, traceVersion } = this.first.run;
@@ -222,10 +232,18 @@ export class App {
     if (shared.compare) await this.compare(shared.compare);
     if (shared.color) this.settings.color = shared.color;
     if (shared.overlays) this.settings.showOverlays(shared.overlays);
+    if (shared.numerics) {
+      this.numerics.adopt(shared.numerics);
+      this.tab = 'numerics';
+    }
     this.pendingView = shared.view;
     const tick = shared.compare?.tick ?? null;
     if (shared.moment !== null) await this.refine({ moment: shared.moment, tick });
-    else this.mode = 'draw';
+    else if (!shared.triangle) this.mode = 'draw';
+    if (shared.triangle) {
+      this.triangle.adopt(shared.triangle);
+      this.dialog = 'triangle';
+    }
   }
 
   /** The moment as a link carries it. */
@@ -239,8 +257,34 @@ export class App {
       view: this.first.picture?.getView() ?? null,
       color: this.settings.color,
       overlays: this.settings.shownOverlays,
+      ...(this.tab === 'numerics' && this.numerics.expression !== ''
+        ? { numerics: this.numerics.options() }
+        : {}),
+      ...(this.dialog === 'triangle' ? { triangle: this.triangle.options() } : {}),
       ...(second ? { compare: { options: this.optionsOf(second), pace, tick } } : {}),
     };
+  }
+
+  familyTitle({ id, columns, degeneration }: FamilyChoice): string {
+    const title = this.hello?.families.find((f) => f.id === id)?.title ?? id;
+    return texts.numerics.familyTitle(title, columns, degeneration);
+  }
+
+  /** Puts a mesh of the study in the picture, with the error on each of its triangles. */
+  showStudyStep(index: number): void {
+    const { numerics } = this;
+    const { study, method, norm } = numerics;
+    const step = study.steps[index];
+    if (!step || !study.plan) return;
+    study.shown = index;
+    const { varied, family } = study.plan;
+    const ofFamily = varied !== 'size';
+    const title = ofFamily
+      ? this.familyTitle({ ...family, [varied]: step.point.value })
+      : texts.numerics.sizeTitle(formatNumber(step.point.h));
+    const field = step.fields[method] ?? null;
+    numerics.show(step.mesh, field, norm, step.complex, title, ofFamily);
+    if (field) numerics.take(field);
   }
 
   /** To a position of the run in the panel, and the other one to where it then stands. */

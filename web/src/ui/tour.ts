@@ -2,7 +2,7 @@ import { driver } from 'driver.js';
 import 'driver.js/dist/driver.css';
 import { app } from '../store/app.svelte.ts';
 
-/** A walk along the page in six stops, each about something to do. */
+/** A walk along the page in seven stops, each about something to do. */
 export function startTour(): void {
   app.clock.pause();
   app.settings.panelOpen = true;
@@ -39,6 +39,11 @@ export function startTour(): void {
         '[role=tabpanel]',
         'The four rules',
         'The algorithm is these four statements. The one that is acting is lit. Below, who waits in the queue.',
+      ),
+      stop(
+        '#tab-numerics',
+        'What the mesh is good for',
+        'Choose a function, interpolate it or solve Poisson’s equation, and see the error on every triangle; then refine, and read the order off the plot.',
       ),
       stop(
         '.tools',
