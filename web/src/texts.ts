@@ -525,6 +525,8 @@ export const texts = {
     three: 'This file holds a complex in space; the page draws the plane.',
     noExample: (id: string) =>
       `There is no example “${id}”. The gallery of examples lists what there is.`,
+    noFunction: (id: string) =>
+      `There is no function “${id}”. The tab Numerics lists what there is.`,
     opened: (name: string) => `Opened ${name}`,
   },
   close: 'Close',

@@ -232,14 +232,15 @@ export class App {
     if (shared.compare) await this.compare(shared.compare);
     if (shared.color) this.settings.color = shared.color;
     if (shared.overlays) this.settings.showOverlays(shared.overlays);
-    if (shared.numerics) {
-      this.numerics.adopt(shared.numerics);
-      this.tab = 'numerics';
-    }
     this.pendingView = shared.view;
     const tick = shared.compare?.tick ?? null;
     if (shared.moment !== null) await this.refine({ moment: shared.moment, tick });
     else if (!shared.triangle) this.mode = 'draw';
+    // After the run: a mesh that is no run's is left when the playhead moves.
+    if (shared.numerics) {
+      this.numerics.adopt(shared.numerics);
+      this.tab = 'numerics';
+    }
     if (shared.triangle) {
       this.triangle.adopt(shared.triangle);
       this.dialog = 'triangle';

@@ -30,10 +30,16 @@ export async function enter(app: App): Promise<void> {
 
 async function follow(app: App): Promise<boolean> {
   try {
+    if (location.hash === '#triangle') {
+      history.replaceState(null, '', location.pathname + location.search);
+      app.dialog = 'triangle';
+      return false;
+    }
     const short = fromWords(location.hash);
     if (short) {
       history.replaceState(null, '', location.pathname + location.search);
       await app.begin();
+      if (short.function !== null) measure(app, short.function);
       await openExample(app, short.example, { compare: short.compare });
       return true;
     }
@@ -51,22 +57,33 @@ async function follow(app: App): Promise<boolean> {
 }
 
 /**
- * A link that can be written by hand: "#example=fan", "#example=fan&compare=collar". Null: the address is none;
+ * A link that can be written by hand: "#example=fan", "#example=fan&compare=collar", "#example=unit-square&function=smooth". Null: the address is none;
  * throws a sentence if it names what there is not.
  */
-function fromWords(hash: string): { example: Example; compare: RunOptions | null } | null {
+function fromWords(
+  hash: string,
+): { example: Example; compare: RunOptions | null; function: string | null } | null {
   const words = new URLSearchParams(hash.slice(1));
   const id = words.get('example');
   if (id === null) return null;
   const example = examples.find((e) => e.id === id);
   if (!example) throw new Error(texts.open.noExample(id));
   const algorithm = words.get('compare');
-  if (algorithm === null) return { example, compare: null };
+  const measured = words.get('function');
+  if (algorithm === null) return { example, compare: null, function: measured };
   // Where the gallery has the same input under that algorithm, it knows the parameters to use.
   const known = examples.find(
     (e) => e.files[0] === example.files[0] && e.options.algorithm === algorithm,
   );
-  return { example, compare: known?.options ?? { ...example.options, algorithm } };
+  const compare = known?.options ?? { ...example.options, algorithm };
+  return { example, compare, function: measured };
+}
+
+/** Shows the error of a function of the core's list, by its id. */
+function measure(app: App, id: string): void {
+  if (!app.hello?.functions.some((f) => f.id === id)) throw new Error(texts.open.noFunction(id));
+  app.numerics.function = id;
+  app.tab = 'numerics';
 }
 
 export async function openExample(
@@ -116,7 +133,8 @@ export function keepSaved(app: App): void {
   let timer: ReturnType<typeof setTimeout> | undefined;
   $effect(() => {
     void [app.doc.complex, app.doc.title, app.settings.color, app.settings.overlays];
-    void [app.comparison.pace, app.clock.playing];
+    void [app.comparison.pace, app.clock.playing, app.tab, app.dialog];
+    void [app.numerics.options(), app.triangle.corners, app.triangle.expression];
     for (const { parameters, run } of app.panes) {
       void [parameters.algorithm, parameters.values, parameters.domain];
       void [parameters.maxVertices, parameters.minEdge, run.phase];
