@@ -181,7 +181,7 @@ std::vector<AlgorithmInfo> make_registry() {
 
   AlgorithmInfo fem_size;
   fem_size.id = "fem-size";
-  fem_size.title = "Refinement for the finite element method";
+  fem_size.title = "Simple refinement for FEM";
   fem_size.thesis = "Algorithm 7.1";
   fem_size.action =
       "Insert the circumcenter of a simplex unless the simplex is a triangle and the circumcenter "
