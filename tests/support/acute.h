@@ -17,12 +17,6 @@ inline std::uint64_t cases(std::uint64_t count) {
   return factor ? count * std::strtoull(factor, nullptr, 10) : count;
 }
 
-/// The point at a distance from (x, y), in degrees.
-inline Point2 polar(double x, double y, double distance, double degrees) {
-  const double radians = degrees * (elementary::kPi / 180);
-  return {x + distance * elementary::cos(radians), y + distance * elementary::sin(radians)};
-}
-
 /// Adds segments from a common vertex in the disk of radius 1 about (x, y): angles between `least`
 /// degrees and a few times as much, or anything.
 inline void add_fan(Complex* c, Random* random, double x, double y, double least) {
@@ -106,7 +100,7 @@ inline Complex needle_star(std::uint64_t seed, double degrees) {
 }
 
 /// A bar with slits of width `gap` and a depth of some hundred gaps, some of them V-shaped.
-inline Complex comb(std::uint64_t seed, double gap) {
+inline Complex slit_bar(std::uint64_t seed, double gap) {
   Random random(seed);
   const std::uint32_t slits = 2 + random.below(4);
   std::vector<Point2> loop{{0, 0}};
@@ -209,7 +203,7 @@ inline Complex acute_complex(std::uint64_t seed) {
     case 1:
       return needle_star(seed, seed % 80 == 1 ? 0.01 : seed % 3 ? 1 : 10);
     case 2:
-      return comb(seed, seed % 3 ? 1e-6 : 1e-3);
+      return slit_bar(seed, seed % 3 ? 1e-6 : 1e-3);
     case 3:
       return rough_lake(seed);
     case 4:

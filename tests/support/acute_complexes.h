@@ -52,9 +52,8 @@ class AcuteComplexes {
     complex_.vertices.push_back(xyz(p));
     return static_cast<std::uint32_t>(complex_.vertices.size() - 1);
   }
-  Point2 polar(const Point2& from, double radius, double degrees) const {
-    const double radians = degrees * (elementary::kPi / 180);
-    return {from.x + radius * elementary::cos(radians), from.y + radius * elementary::sin(radians)};
+  static Point2 polar(const Point2& from, double radius, double degrees) {
+    return testing::polar(from.x, from.y, radius, degrees);
   }
   double between(double a, double b) { return a + (b - a) * random_.unit(); }
   /// 10^-k with k between the two, evenly.

@@ -8,6 +8,7 @@
 
 #include "circumball/complex.h"
 #include "circumball/refine.h"
+#include "predicates/elementary.h"
 
 /// Complexes that tests share: a few by hand, and a generator of random ones whose angles are
 /// bounded.
@@ -29,6 +30,12 @@ class Random {
  private:
   std::uint64_t state_;
 };
+
+/// The point at a distance from (x, y), in a direction in degrees; the same everywhere.
+inline Point2 polar(double x, double y, double distance, double degrees) {
+  const double radians = degrees * (elementary::kPi / 180);
+  return {x + distance * elementary::cos(radians), y + distance * elementary::sin(radians)};
+}
 
 inline Complex polygon(const std::vector<Point2>& corners) {
   Complex c;

@@ -10,11 +10,6 @@
 /// Complexes with one angle, as small as asked, many times: fans, stars and combs.
 namespace circumball::testing {
 
-inline Point3 polar(double radius, double degrees) {
-  const double radians = degrees * (elementary::kPi / 180);
-  return {radius * elementary::cos(radians), radius * elementary::sin(radians), 0};
-}
-
 /// Segments of random lengths from one vertex, neighbors `angle` to twice that apart; in a square.
 inline Complex fan(Random* random, std::uint32_t count, double angle) {
   Complex c;
@@ -22,7 +17,7 @@ inline Complex fan(Random* random, std::uint32_t count, double angle) {
   double at = 360 * random->unit(), turned = 0;
   for (std::uint32_t i = 0; i < count && turned < 330; ++i) {
     c.segments.push_back({0, static_cast<std::uint32_t>(c.vertices.size())});
-    c.vertices.push_back(polar(0.2 + 0.8 * random->unit(), at));
+    c.vertices.push_back(xyz(polar(0, 0, 0.2 + 0.8 * random->unit(), at)));
     const double step = angle * (1 + random->unit());
     at += step;
     turned += step;
@@ -39,8 +34,8 @@ inline Complex star(std::uint32_t points, double angle) {
   const double a = 0.5 * angle * (elementary::kPi / 180), b = half * (elementary::kPi / 180);
   const double inner = elementary::sin(a) / elementary::sin(a + b);
   for (std::uint32_t i = 0; i < points; ++i) {
-    c.vertices.push_back(polar(1, 2 * half * i));
-    c.vertices.push_back(polar(inner, 2 * half * i + half));
+    c.vertices.push_back(xyz(polar(0, 0, 1, 2 * half * i)));
+    c.vertices.push_back(xyz(polar(0, 0, inner, 2 * half * i + half)));
   }
   for (std::uint32_t i = 0; i < 2 * points; ++i) c.segments.push_back({i, (i + 1) % (2 * points)});
   return c;
