@@ -241,5 +241,5 @@ export function canonical(a: number, b: number, c: number): [number, number, num
 function vertexKindOf(event: TraceEvent): VertexKind {
   if (event.reason === Reason.input) return VertexKind.input;
   if (event.reason === Reason.box) return VertexKind.box;
-  return event.dimension === 1 ? VertexKind.onSegment : VertexKind.free;
+  return event.dimension === 1 && event.center === NONE ? VertexKind.onSegment : VertexKind.free;
 }
