@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "circumball/predicates.h"
+#include "delaunay/constructions.h"
 
 namespace circumball {
 
@@ -72,10 +73,20 @@ void Live2::create_subsegments() {
 
 void Live2::track_incidence() {
   incident_.assign(triangulation_.vertex_count(), {});
+  shortest2_.assign(complex_->vertices.size(), HUGE_VAL);
   for (std::uint32_t i = 0; i < subsegment_count(); ++i) {
     if (!subsegments_[i].alive) continue;
     incident_[subsegments_[i].a.value].push_back(SubsegmentId(i));
     incident_[subsegments_[i].b.value].push_back(SubsegmentId(i));
+    note_length(subsegments_[i]);
+  }
+}
+
+void Live2::note_length(const Subsegment& s) {
+  const double length2 = squared_distance(triangulation_.point(s.a), triangulation_.point(s.b));
+  for (const VertexId end : {s.a, s.b}) {
+    if (feature(end).kind != FeatureKind::kVertex) continue;
+    shortest2_[end.value] = std::min(shortest2_[end.value], length2);
   }
 }
 
@@ -116,6 +127,8 @@ std::array<SubsegmentId, 2> Live2::split(SubsegmentId s, VertexId m) {
     *std::find(at_b.begin(), at_b.end(), s) = right;
     incident_.resize(triangulation_.vertex_count());
     incident_[m.value] = {left, right};
+    note_length(first);
+    note_length(second);
   }
   tag_edge(left);
   tag_edge(right);

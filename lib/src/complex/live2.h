@@ -82,6 +82,8 @@ class Live2 {
   /// memory).
   void track_incidence();
   const std::vector<SubsegmentId>& subsegments_at(VertexId v) const { return incident_[v.value]; }
+  /// The squared length of the shortest end segment at an input vertex; with incidence only.
+  double shortest2_at(VertexId q0) const { return shortest2_[q0.value]; }
   /// Concentric shells about the input vertices that are marked, from now on; before the first
   /// split.
   void track_shells(std::vector<bool> centers) { shells_.track(*complex_, std::move(centers)); }
@@ -141,6 +143,7 @@ class Live2 {
   /// Whether all three vertices of t lie on one input segment: t is flat, but for their rounding.
   /// Such a triangle at the hull lies outside of the subsegments there.
   bool is_pocket(TriangleId t) const;
+  void note_length(const Subsegment& s);
   void relabel(TriangleId t, std::uint32_t before, std::uint32_t label);
   void flood_levels(const std::vector<std::uint8_t>& crossed);
   void label_crossed(const std::vector<std::uint8_t>& crossed);
@@ -156,6 +159,7 @@ class Live2 {
   double least_area_bound_ = 0;  // of all regions; 0 where there is none
   bool classified_ = false;
   std::vector<std::vector<SubsegmentId>> incident_;  // by vertex; empty if not tracked
+  std::vector<double> shortest2_;  // by input vertex: of its end segments; empty likewise
   bool tracking_ = false;
   std::vector<Relabeled> relabeled_;
   std::vector<TriangleId> stack_;  // scratch of the local flood

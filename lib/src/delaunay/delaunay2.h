@@ -96,15 +96,20 @@ class Delaunay2 {
   static HalfEdge next(HalfEdge h) { return h + 1 - 3 * (h >> 1 & 1); }
   static HalfEdge prev(HalfEdge h) { return h - 1 + 3 * ((h & 3) == 0); }
 
+  /// A half-edge out of v; kNone if v is not inserted, or is the only vertex inserted.
+  HalfEdge some_outgoing(VertexId v) const {
+    const TriangleId t = triangle_of(v);
+    if (t == kNone) return kNone;
+    const Triangle& at = triangles_[t];
+    const std::uint32_t i = at.v[0] == v ? 0 : at.v[1] == v ? 1 : 2;
+    return 4 * t + kPrev[i];
+  }
   /// Calls f(HalfEdge) -> bool (go on?) for the half-edges out of v, counter-clockwise, those to
   /// kGhost too.
   template <class F>
   void for_each_outgoing(VertexId v, F f) const {
-    const TriangleId t = triangle_of(v);
-    if (t == kNone) return;
-    const Triangle& at = triangles_[t];
-    const std::uint32_t i = at.v[0] == v ? 0 : at.v[1] == v ? 1 : 2;
-    const HalfEdge first = 4 * t + kPrev[i];
+    const HalfEdge first = some_outgoing(v);
+    if (first == kNone) return;
     HalfEdge h = first;
     do {
       if (!f(h)) return;
@@ -125,15 +130,28 @@ class Delaunay2 {
     for (TriangleId t = 0; t < slot_count(); ++t)
       if (!is_ghost(t)) f(t);
   }
-  /// The half-edge from a to b, or kNone. O(degree of a).
+  /// The half-edge from a to b, or kNone. By turns about a and about b: O(the lesser degree).
   HalfEdge find_edge(VertexId a, VertexId b) const {
-    HalfEdge found = kNone;
-    for_each_outgoing(a, [&](HalfEdge h) {
-      if (target(h) != b) return true;
-      found = h;
-      return false;
-    });
-    return found;
+    const HalfEdge first_a = some_outgoing(a), first_b = some_outgoing(b);
+    if (first_a == kNone || first_b == kNone) return kNone;
+    HalfEdge from_a = first_a, from_b = first_b;
+    do {
+      if (target(from_a) == b) return from_a;
+      if (target(from_b) == a) return twin(from_b);
+      from_a = twin(prev(from_a));
+      from_b = twin(prev(from_b));
+    } while (from_a != first_a && from_b != first_b);
+    return kNone;
+  }
+  /// The one of fewer Delaunay neighbors; a if it does not matter. O(the lesser degree).
+  VertexId of_lesser_degree(VertexId a, VertexId b) const {
+    const HalfEdge first_a = some_outgoing(a), first_b = some_outgoing(b);
+    if (first_a == kNone || first_b == kNone) return a;
+    HalfEdge from_a = first_a, from_b = first_b;
+    for (;;) {
+      if ((from_a = twin(prev(from_a))) == first_a) return a;
+      if ((from_b = twin(prev(from_b))) == first_b) return b;
+    }
   }
   /// A triangle whose closure contains p: a ghost where p is strictly outside the hull. In
   /// dimension 1, a ghost on p's side at the edge or end nearest to the walk; kNone below. By a

@@ -86,10 +86,7 @@ double View::shortest2_of_spindle(SubsegmentId s) const {
   double shortest2 = squared_length(s);
   const Subsegment& u = live_.subsegment(s);
   for (const VertexId end : {u.a, u.b}) {
-    if (!is_input_vertex(end)) continue;
-    for (const SubsegmentId other : live_.subsegments_at(end)) {
-      shortest2 = std::min(shortest2, squared_length(other));
-    }
+    if (is_input_vertex(end)) shortest2 = std::min(shortest2, live_.shortest2_at(end));
   }
   return shortest2;
 }
@@ -123,8 +120,9 @@ Verdict View::too_large_an_estimate(SubsegmentId s) const {
       return !verdict;
     });
   };
-  collect(u.a);
-  if (!verdict) collect(u.b);
+  // A vertex in the disk has one in it that is a neighbor of a, and one that is a neighbor of b
+  // (shrink the disk towards that end). So one end is enough: the other may be the hub of a fan.
+  collect(dt_.of_lesser_degree(u.a, u.b));
   if (verdict || inside_.empty()) return verdict;
   const double length2 = squared_length(s);
   if (length2 > 4 * kLengthSlack * kLengthSlack * shortest2_of_spindle(s)) {
