@@ -29,6 +29,8 @@ bool valid_value(const ParameterInfo& parameter, const std::string& value, std::
   }
   double number = 0, bound = 0;
   if (!parse_number(value, &number)) {
+    // An expression; what takes none, and what is wrong with it, `Run::create` says.
+    if (parameter.name == "size") return true;
     *error = fmt::format("{} is a number, not '{}'", parameter.name, value);
     return false;
   }

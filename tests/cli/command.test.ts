@@ -25,6 +25,8 @@ describe.each(commands)('%s', (_, command) => {
       [['mesh', 'square.poly', '--tau', '-1']],
       [['mesh', 'square.poly', '--domain', 'everything']],
       [['mesh', 'square.poly', '--size', '1 +']],
+      [['mesh', 'square.poly', '--set', 'size=1 +']],
+      [['mesh', 'square.poly', '--algorithm', 'chew', '--set', 'size=x + 1']],
       [['mesh', 'square.poly', '--size', '@no-such-file']],
       [['mesh', 'square.poly', '--size', '{"grid": {}}']],
       [['mesh', 'square.poly', '--algorithm', 'ruppert', '--set', 'colour=red']],

@@ -55,6 +55,20 @@ TEST(Limits, ShortestEdgeIsKeptAndReported) {
   EXPECT_TRUE(refused);
 }
 
+TEST(Limits, ShortestEdgeIsKeptWhereSegmentsAreSplitBeforehand) {
+  Complex angle;  // protected, or split at equal lengths, nearer to its vertex than the limit
+  angle.vertices = {{0, 0, 0}, {1, 0, 0}, {1.7, 0.3, 0}};
+  angle.segments = {{0, 1}, {0, 2}};
+  for (const char* algorithm : {"chew", "collar", "intestine", "terminator", "fem-size"}) {
+    Options options = options_of(algorithm);
+    options.limits.min_edge = 0.5;
+    const auto run = finish(angle, options);
+    EXPECT_EQ(run->limit(), Reason::kLimitMinEdge) << algorithm;
+    EXPECT_GE(measure(run->mesh()).shortest_edge, 0.5) << algorithm;
+    expect_valid(*run);
+  }
+}
+
 TEST(Limits, SecondsStopARun) {
   Options options = options_of("ruppert");
   options.limits.max_seconds = 1e-6;

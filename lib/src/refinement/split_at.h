@@ -10,13 +10,13 @@
 namespace circumball {
 
 /// Splits s, a piece of an input segment, at p, a rounded point of it (View::outward is applied),
-/// and records it. The halves are in the order of the ends of s. Nothing, recorded as refused for
-/// precision, where p coincides with a vertex.
+/// and records it. The halves are in the order of the ends of s. Nothing, recorded as refused,
+/// where p coincides with a vertex, or is nearer to one than Limits::min_edge.
 std::optional<std::array<SubsegmentId, 2>> split_at(Workspace& w, SubsegmentId s, const Point2& p,
                                                     Reason why);
 
 /// Inserts p, near the input vertex `near`, as a free vertex, and records it. Invalid where p
-/// coincides with a vertex.
+/// coincides with a vertex, or is nearer to one than Limits::min_edge.
 VertexId insert_free(Workspace& w, const Point2& p, VertexId near, Reason why);
 
 }  // namespace circumball
