@@ -35,7 +35,18 @@ struct FeatureSize {
     return view.too_large_an_estimate(s);
   }
   Verdict unacceptable(const View&, TriangleRef) const { return {}; }
-  Verdict encroaches(const View&, SubsegmentId, VertexId) const { return {}; }
+  /// The verdict depends on the vertices in the disk, and on the spindle. Where only v is new, or
+  /// only the spindle is shorter, the rest need not be looked at again.
+  Verdict encroaches(const View& view, SubsegmentId s, VertexId v) const {
+    if (!view.encroached_by(s, v)) return {};
+    if (view.is_witness(v, s)) return {Reason::kWitness, v, 0};
+    return view.too_long_for_spindle(s, v);
+  }
+  Verdict spindle_shrank(const View& view, SubsegmentId s) const {
+    const Verdict inside = view.encroachment(s);
+    if (inside.reason == Reason::kMissing) return view.too_large_an_estimate(s);
+    return inside ? view.too_long_for_spindle(s, inside.witness) : Verdict{};
+  }
 
   /// Safety: it is safe to split any simplex.
   Verdict safe(const View&, SubsegmentId) const { return {}; }

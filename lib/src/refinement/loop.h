@@ -34,6 +34,8 @@ namespace circumball {
 ///   is new kTriangles          whether triangles are looked at, at all kLooksAtNeighbors
 ///   `unacceptable` looks at all Delaunay neighbors of a subsegment's ends, not
 ///                       only at its apexes; Live2 tracks incidence then
+///   spindle_shrank(View, SubsegmentId) -> Verdict: as `unacceptable`, where only an end segment at
+///                       its input vertex is shorter than before (rules that look at neighbors)
 template <class Rules>
 class Loop final : public Stage {
  public:
@@ -245,20 +247,27 @@ class Loop final : public Stage {
   /// Only v and its new Delaunay neighbors have other neighbors than before, and only the spindles
   /// of the end segments at v have shorter members.
   void queue_neighbors(Workspace& w, VertexId v) {
-    const auto look_at = [&](VertexId u) {
-      for (const SubsegmentId s : w.live.subsegments_at(u)) queue_if_unacceptable(w, s);
+    w.live.triangulation().for_each_neighbor(v, [&](VertexId u) {
+      for (const SubsegmentId s : w.live.subsegments_at(u)) {
+        queue_if(w, s, rules_.encroaches(*view_, s, v));
+      }
       return true;
-    };
-    w.live.triangulation().for_each_neighbor(v, look_at);
+    });
     for (const SubsegmentId half : w.live.subsegments_at(v)) {
       const Subsegment& h = w.live.subsegment(half);
       const VertexId end = h.a == v ? h.b : h.a;
-      if (view_->is_input_vertex(end)) look_at(end);
+      if (!view_->is_input_vertex(end)) continue;
+      for (const SubsegmentId s : w.live.subsegments_at(end)) {
+        queue_if(w, s, rules_.spindle_shrank(*view_, s));
+      }
     }
   }
 
   void queue_if_unacceptable(Workspace& w, SubsegmentId s) {
-    if (const Verdict why = rules_.unacceptable(*view_, s)) queue(w, s, why);
+    queue_if(w, s, rules_.unacceptable(*view_, s));
+  }
+  void queue_if(Workspace& w, SubsegmentId s, const Verdict& why) {
+    if (why) queue(w, s, why);
   }
   void queue_if_unacceptable(Workspace& w, TriangleRef t) {
     if (!w.live.maybe_in_domain(t.id)) return;

@@ -124,10 +124,7 @@ Verdict View::too_large_an_estimate(SubsegmentId s) const {
   // (shrink the disk towards that end). So one end is enough: the other may be the hub of a fan.
   collect(dt_.of_lesser_degree(u.a, u.b));
   if (verdict || inside_.empty()) return verdict;
-  const double length2 = squared_length(s);
-  if (length2 > 4 * kLengthSlack * kLengthSlack * shortest2_of_spindle(s)) {
-    return {Reason::kTooLong, inside_.front(), std::sqrt(length2)};
-  }
+  if (const Verdict long_one = too_long_for_spindle(s, inside_.front())) return long_one;
   // The vertices in a disk are connected by Delaunay edges in it: go on until a witness is met.
   for (std::size_t i = 0; i < inside_.size() && !verdict; ++i) collect(inside_[i]);
   return verdict;

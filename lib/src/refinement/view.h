@@ -117,6 +117,13 @@ class View {
   /// The squared length of the shortest segment of Spind(s): s and, where s is an end segment, all
   /// end segments at its input vertices (Definition 2.1.5).
   double shortest2_of_spindle(SubsegmentId s) const;
+  /// Whether s, with the vertex `inside` in its disk, is more than twice as long as the shortest
+  /// segment of Spind(s).
+  Verdict too_long_for_spindle(SubsegmentId s, VertexId inside) const {
+    const double length2 = squared_length(s);
+    if (!(length2 > 4 * kLengthSlack * kLengthSlack * shortest2_of_spindle(s))) return {};
+    return {Reason::kTooLong, inside, std::sqrt(length2)};
+  }
   /// Whether p is a 1-feature size witness for s (Definition 2.1.7): p lies in an input feature of
   /// dimension at most 1 that is disjoint from the simplex s. A vertex knows the smallest feature
   /// that it lies in.
