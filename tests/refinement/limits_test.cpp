@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "circumball/verify.h"
-#include "support/complexes.h"
+#include "support/acute.h"
 
 namespace circumball {
 namespace {
@@ -67,6 +67,22 @@ TEST(Limits, ShortestEdgeIsKeptWhereSegmentsAreSplitBeforehand) {
     EXPECT_GE(measure(run->mesh()).shortest_edge, 0.5) << algorithm;
     expect_valid(*run);
   }
+}
+
+TEST(Limits, AFeatureSizeThatWasStoppedSaysWhatRemains) {
+  const Complex fan = testing::dense_fan(1, 12, 1);
+  Options options = options_of("feature-size");
+  options.limits.max_vertices = 100;
+  const auto run = finish(fan, options);
+  ASSERT_EQ(run->status(), Status::kLimit);
+  const auto unresolved = run->unresolved();
+  EXPECT_FALSE(unresolved.empty());
+  for (const Unresolved& u : unresolved) {
+    EXPECT_EQ(u.reason, "limit-vertices");
+    EXPECT_TRUE(u.rule == "witness" || u.rule == "too-long") << u.rule;
+  }
+  const auto unborn = start(fan, options);  // asked before there is anything to ask
+  EXPECT_TRUE(unborn->unresolved().empty());
 }
 
 TEST(Limits, SecondsStopARun) {

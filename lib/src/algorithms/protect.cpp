@@ -139,12 +139,15 @@ std::vector<bool> acute_vertices(const Complex& complex) {
   std::vector<bool> acute(n, false);
   for (std::size_t v = 0; v < n; ++v) {
     const Point2 p = xy(complex.vertices[v]);
-    const auto& e = ends[v];
+    auto& e = ends[v];
+    std::sort(e.begin(), e.end(),
+              [](const Point2& a, const Point2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+    e.erase(std::unique(e.begin(), e.end()), e.end());  // a segment given twice makes no angle
     for (std::size_t i = 0; i < e.size() && !acute[v]; ++i) {
       for (std::size_t j = 0; j < i && !acute[v]; ++j) {
-        // (a - p) . (b - p) > 0. A segment that is given twice makes no angle. Of five directions
-        // two are at most 72 degrees apart, so that this stops soon.
-        acute[v] = e[i] != e[j] && in_diametral_ball(e[i], e[j], p) == Sign::kNegative;
+        // (a - p) . (b - p) > 0. Of five directions two are at most 72 degrees apart, so that this
+        // stops soon.
+        acute[v] = in_diametral_ball(e[i], e[j], p) == Sign::kNegative;
       }
     }
   }

@@ -33,9 +33,9 @@ std::string settle_sizing(const Complex& complex, const std::string& text, Setti
   if (!Sizing::parse(text, sizing.get(), &error)) return "size: " + error;
   for (const Point3& p : complex.vertices) {
     const double h = sizing->at(p.x, p.y, p.z);
-    if (!(h > 0)) {
-      return "size: '" + text + "' is not positive at the input vertex (" + std::to_string(p.x) +
-             ", " + std::to_string(p.y) + ")";
+    if (!(h > 0) || std::isinf(h)) {
+      return "size: '" + text + "' is not positive and finite at the input vertex (" +
+             std::to_string(p.x) + ", " + std::to_string(p.y) + ")";
     }
   }
   settings->sizing = sizing;
@@ -344,7 +344,12 @@ Mesh Run::mesh() const { return export_mesh(&impl_->live, impl_->input_vertices)
 std::vector<Unresolved> Run::unresolved(std::size_t max) const {
   std::vector<Unresolved> list;
   const Reason stop = impl_->status == Status::kCancelled ? Reason::kCancelled : impl_->limit;
-  impl_->stages.back()->unresolved(impl_->work, limit_word(stop), max, &list);
+  // The last rules are the strictest.
+  for (auto stage = impl_->stages.rbegin(); stage != impl_->stages.rend(); ++stage) {
+    if (!(*stage)->has_rules()) continue;
+    (*stage)->unresolved(impl_->work, limit_word(stop), max, &list);
+    break;
+  }
   return list;
 }
 

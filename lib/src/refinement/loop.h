@@ -26,16 +26,17 @@ namespace circumball {
 ///     queue every simplex that became unacceptable
 ///
 /// `Rules` states the four rules, as pure queries (see ruppert.h):
-///   Triangles                          its queue: Priority. Subsegments always go before triangles
-///   unacceptable(View, SubsegmentId), unacceptable(View, TriangleRef) -> Verdict
-///   safe(View, SubsegmentId), safe(View, TriangleRef)                 -> Verdict (kNone: safe)
-///   action(View, SubsegmentId), action(View, TriangleRef)             -> Proposal
-///   encroaches(View, SubsegmentId, VertexId) -> Verdict: as `unacceptable`, where only the vertex
-///   is new kTriangles          whether triangles are looked at, at all kLooksAtNeighbors
-///   `unacceptable` looks at all Delaunay neighbors of a subsegment's ends, not
-///                       only at its apexes; Live2 tracks incidence then
+/// - Triangles: its queue, which is Priority; subsegments always go before triangles
+/// - unacceptable(View, SubsegmentId), unacceptable(View, TriangleRef) -> Verdict
+/// - safe(View, SubsegmentId), safe(View, TriangleRef) -> Verdict (kNone: safe)
+/// - action(View, SubsegmentId), action(View, TriangleRef) -> Proposal
+/// - encroaches(View, SubsegmentId, VertexId) -> Verdict: as `unacceptable`, where only the vertex
+///   is new
+/// - kTriangles: whether triangles are looked at, at all
+/// - kLooksAtNeighbors: `unacceptable` looks at all Delaunay neighbors of a subsegment's ends, not
+///   only at its apexes; Live2 tracks incidence then. Such rules state one more:
 ///   spindle_shrank(View, SubsegmentId) -> Verdict: as `unacceptable`, where only an end segment at
-///                       its input vertex is shorter than before (rules that look at neighbors)
+///   its input vertex is shorter than before
 template <class Rules>
 class Loop final : public Stage {
  public:
@@ -74,8 +75,11 @@ class Loop final : public Stage {
     }
   }
 
+  bool has_rules() const override { return true; }
+
   void unresolved(const Workspace& w, const std::string& stop, std::size_t max,
                   std::vector<Unresolved>* list) const override {
+    if (Rules::kLooksAtNeighbors && !view_) return;  // incidence is not tracked yet
     const View view(w.live, false);
     for (std::uint32_t i = 0; i < w.live.subsegment_count() && list->size() < max; ++i) {
       const SubsegmentId s(i);

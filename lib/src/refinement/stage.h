@@ -75,6 +75,8 @@ class Stage {
   virtual void begin(Workspace&) {}
   /// Goes on; true when the step is done. A limit in the workspace ends it, too.
   virtual bool advance(Workspace&, Budget&) = 0;
+  /// Whether it can call a simplex unacceptable.
+  virtual bool has_rules() const { return false; }
   /// Appends what its rules still call unacceptable, at most `max` in all, and why it was not
   /// split; `stop` is the reason for all that was never refused.
   virtual void unresolved(const Workspace&, const std::string& /*stop*/, std::size_t /*max*/,
