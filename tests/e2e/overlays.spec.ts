@@ -36,7 +36,7 @@ test.describe('a student looks at the theory', () => {
       featureSize: 'Local feature size',
       neighbors: 'N against lfs',
       diametral: 'Diametral disks',
-      spindles: 'Spindle',
+      spindles: 'Spindles',
       collars: 'Collars',
       intestines: 'Intestines',
     };
@@ -49,6 +49,26 @@ test.describe('a student looks at the theory', () => {
       if (id !== 'spindles') expect((await picture(page)).equals(off)).toBe(false);
       await page.locator(`[data-overlay=${id}]`).uncheck();
     }
+  });
+
+  test('folds the legend away and back', async ({ page }) => {
+    await open(page);
+    await finished(page);
+    const legend = page.getByRole('complementary', { name: 'Legend of the picture' });
+    await legend.getByRole('button', { name: 'Fold the legend' }).click();
+    await expect(legend).toHaveCount(0);
+    await page.getByRole('button', { name: 'Legend', exact: true }).click();
+    await expect(legend).toBeVisible();
+  });
+
+  test('returns from a mesh of Figure 7.1 while local feature size is shown', async ({ page }) => {
+    await open(page, '#example=unit-square&function=smooth');
+    await finished(page);
+    await page.keyboard.press('f');
+    await expect(page.getByTestId('ball')).toBeVisible();
+    await page.getByRole('combobox', { name: 'Mesh' }).selectOption({ index: 1 });
+    await page.getByRole('button', { name: 'Back to the run' }).click();
+    await expect(page.getByTestId('still')).toHaveCount(0);
   });
 
   test('points at the picture and reads the sentence of the ball; a picked point stays', async ({

@@ -137,7 +137,7 @@ export const texts = {
       hint: 'Of the subsegments; encroached ones with the vertex inside.',
     },
     spindles: {
-      name: 'Spindle',
+      name: 'Spindles',
       hint: 'Spind(s) of the subsegment that is picked or acting: with an end segment go all end segments at its input vertex.',
     },
     collars: {
@@ -218,14 +218,15 @@ export const texts = {
   legend: {
     title: 'Legend',
     onPicture: 'Legend of the picture',
-    input: 'input feature',
-    onSegment: 'vertex on a segment',
-    free: 'free vertex',
-    acting: 'simplex in hand',
-    witness: 'its witness',
-    ball: 'its ball',
-    ghost: 'point that was not inserted',
-    yielding: 'yields to',
+    fold: 'Fold the legend',
+    input: 'Input feature',
+    onSegment: 'Vertex on a segment',
+    free: 'Free vertex',
+    acting: 'Simplex in hand',
+    witness: 'Its witness',
+    ball: 'Its ball',
+    ghost: 'Point that was not inserted',
+    yielding: 'Yields to',
   },
   unresolved: {
     title: 'Left as it is',
@@ -571,8 +572,23 @@ export function formatDegrees(x: number): string {
 
 /** The core's messages begin in lower case, as the command prints them after a file name. */
 export function asSentence(message: string): string {
-  const text = message.charAt(0).toUpperCase() + message.slice(1);
+  // The name of a function stays as it is.
+  const text = message.replace(/^(?!u\b)./, (first) => first.toUpperCase());
   return /[.!?]$/.test(text) || text === '' ? text : `${text}.`;
+}
+
+/** "H1", "H^s", "L2", "h^2", as the core writes them in plain text, with raised letters and digits. */
+export function raised(text: string): string {
+  return text
+    .replace(/\b([HL])\^?([12])\b/g, (_, space: string, of: string) => space + superscript(of))
+    .replace(/\^(\d+)\b/g, (_, power: string) => superscript(power))
+    .replace(/\^s\b/g, 'ˢ');
+}
+
+/** "0", "0 and 4", "0, 1 and 4". */
+export function formatList(items: readonly (number | string)[]): string {
+  const last = items.length - 1;
+  return last < 1 ? items.join('') : `${items.slice(0, last).join(', ')} and ${items[last]}`;
 }
 
 /** "triangle 3–7–12", "subsegment 3–7 of segment 2". */

@@ -21,6 +21,7 @@ export class Coloring {
   values: Float64Array | null = null;
   private dark = false;
   private classes = 1;
+  private measured = true; // some triangle has a value
   private regions: Int32Array | null = null;
   private lastScale: { key: string; scale: ColorScale } | null = null;
   private readonly model: MeshModel;
@@ -39,7 +40,8 @@ export class Coloring {
 
   /** Null in plain mode, or if nothing was measured; the same object as long as nothing of it changed. */
   get scale(): ColorScale | null {
-    if (this.mode === 'plain' || (this.mode === 'error' && !this.values)) return null;
+    if (this.mode === 'plain' || (this.mode === 'error' && !(this.values && this.measured)))
+      return null;
     const { mode, dark, classes, logarithmic } = this;
     const [min, max] = this.range;
     const key = `${mode} ${dark} ${classes} ${min} ${max}`;
@@ -128,6 +130,7 @@ export class Coloring {
   private findRange(): readonly [number, number] {
     const model = this.model;
     this.classes = 1;
+    this.measured = true;
     switch (this.mode) {
       case 'plain':
         return [0, 1];
@@ -154,7 +157,8 @@ export class Coloring {
       if (v < min) min = v;
       if (v > max) max = v;
     }
-    if (min > max) return [0, 1];
+    this.measured = min <= max;
+    if (!this.measured) return [0, 1];
     if (this.mode === 'error') min = Math.max(min, max - ERROR_OCTAVES);
     // Whole powers of two, so that colors stay as they are while a few triangles change.
     return [Math.floor(min), Math.max(Math.ceil(max), Math.floor(min) + 1)];

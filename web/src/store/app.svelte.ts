@@ -6,7 +6,7 @@ import type { ComparisonOptions, Shared } from '../link/link.ts';
 import { point } from '../replay/geometry.ts';
 import { refinedComplex } from '../replay/refined-complex.ts';
 import { type Complex2, emptyComplex, type Point, type View } from '../shared/types.ts';
-import { formatNumber, texts } from '../texts.ts';
+import { asSentence, formatNumber, texts } from '../texts.ts';
 import { Comparison } from './comparison.svelte.ts';
 import { DocumentStore } from './document.svelte.ts';
 import { FeatureStore } from './features.svelte.ts';
@@ -212,7 +212,9 @@ export class App {
       this.showDefects(answer.defects);
       if (fatal.length > 0) {
         this.say(
-          readable ? fatal[0]!.message : `${texts.open.failed(main.name)} ${fatal[0]!.message}`,
+          readable
+            ? fatal[0]!.message
+            : `${texts.open.failed(main.name)} ${asSentence(fatal[0]!.message)}`,
           'bad',
         );
         this.tab = 'setup';
@@ -313,8 +315,10 @@ export class App {
   }
 
   say(text: string, tone: Notice['tone'] = 'info'): void {
-    this.notice = { text, tone };
-    this.announcement = text;
+    // What went wrong is mostly said by the core, as the command prints it after a file name.
+    const sentence = tone === 'bad' ? asSentence(text) : text;
+    this.notice = { text: sentence, tone };
+    this.announcement = sentence;
   }
 
   /** What a run is best held against: an algorithm that protects small angles against one that does not. */

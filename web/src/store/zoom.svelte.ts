@@ -116,7 +116,8 @@ export class RepetitionZoom {
     const common = clock === comparison.clock ? comparison.clock.lockstep : null;
     clock.seek(common ? common.tickOf(side, position) : position);
     const { clientWidth: width, clientHeight: height } = picture.canvas;
-    const insets = { left: 56, top: 8, right: 8, bottom: 8 };
+    // The limit vertex may be at the lower end of the input, where the legend is.
+    const insets = { left: 56, top: 8, right: 8, bottom: width < 500 ? 8 : 80 };
     const base = zoomAbout(fitView(bounds, { width, height }, insets), at, 1 / SURROUNDINGS);
     const goal = zoomAbout(base, at, factor ** -this.cycle);
     const { flight } = this;
