@@ -41,7 +41,9 @@ test.describe('a student of numerical methods', () => {
     await openSquare(page);
     await page.getByLabel('Choose a function').selectOption('smooth');
     await expect(page.getByLabel('u(x, y)')).toHaveValue('sin(pi*x) * sin(pi*y)');
-    await expect(page.getByLabel('Legend')).toContainText('Error on each triangle');
+    await expect(page.getByRole('complementary', { name: 'Legend' }).first()).toContainText(
+      'Error on each triangle',
+    );
     await study(page);
     for (const method of ['Interpolant', 'Poisson’s equation']) {
       await page.getByRole('radio', { name: method, exact: true }).check();

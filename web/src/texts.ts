@@ -191,7 +191,7 @@ export const texts = {
     nearest: 'N(q)',
     nearestRatio: 'N(q) / lfs(q)',
     bound: (theorem: string, symbol: string, value: string, condition: string) =>
-      `${theorem} bounds it by ${symbol}${value === '' || value === symbol ? '' : ` = ${value}`}${condition === '' ? '' : ` (${condition})`}.`,
+      `${condition === '' ? '' : `For ${condition}, `}${theorem} bounds it by ${symbol}${value === '' || value === symbol ? '' : ` = ${value}`}.`,
     unbounded: (theorem: string, symbol: string) =>
       `${theorem}: at most some ${symbol} that depends on the input angles and the parameters alone.`,
     ancestry: 'Ancestry',

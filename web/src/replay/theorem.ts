@@ -12,7 +12,7 @@ export interface RatioBound {
 
 /** Null for algorithms that promise no grading, or at vertices of the box. */
 export function ratioBound(algorithm: string, tau: number, kind: number): RatioBound | null {
-  const condition = 'input angles of at least 90°, τ > √2';
+  const condition = 'input angles of at least 90° and τ > √2';
   switch (algorithm) {
     case 'ruppert': {
       // (2.1), (2.2): C2 >= (1 + tau) / (tau - sqrt 2), C1 = sqrt 2 C2 + 1; for input vertices lfs <= lfs_0 <= r_q.

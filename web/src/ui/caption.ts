@@ -14,10 +14,22 @@ function captionOf({ run, playback }: Pane): string {
   const input = `${formatCount(doc.complex.vertices.length)} vertices, ${formatCount(doc.complex.segments.length)} segments`;
   if (!run.trace || !playback.replay || !playback.angles)
     return `${title} (${input}). Circumball ${app.hello?.version ?? ''}.`;
-  const algorithm = app.algorithms.find((a) => a.id === run.algorithm)?.title ?? run.algorithm;
-  const { algorithm: _, maxVertices: __, parameters, ...rest } = run.options;
+  const info = app.algorithms.find((a) => a.id === run.algorithm);
+  const algorithm = info?.title ?? run.algorithm;
+  const {
+    algorithm: _,
+    maxVertices: __,
+    minAngle: asked,
+    minEdge,
+    parameters,
+    ...rest
+  } = run.options;
   const set = Object.entries({ ...rest, ...parameters }).map(([k, v]) => `${k} = ${v}`);
-  if (run.tau > 0) set.unshift(`τ = ${formatNumber(run.tau)}`);
+  if (minEdge !== undefined) set.push(`no edge below ${minEdge}`);
+  if (asked !== undefined) set.unshift(`smallest angle asked for ${asked}°`);
+  // Not every algorithm has that threshold.
+  if (run.tau > 0 && info?.parameters.some((p) => p.name === 'tau'))
+    set.unshift(`τ = ${formatNumber(run.tau)}`);
   const { triangles, minAngle, maxAngle } = histogram(playback.replay.state(), playback.angles);
   const at =
     playback.position === playback.length
