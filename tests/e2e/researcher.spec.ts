@@ -19,6 +19,23 @@ const root = fileURLToPath(new URL('../../', import.meta.url));
 const file = `${root}examples/airfoil.poly`;
 
 test.describe('a researcher', () => {
+  test('is told beside the parameters what is wrong with a size', async ({ page }) => {
+    await open(page);
+    await openFiles(page, file);
+    await finished(page);
+    await page.getByRole('tab', { name: 'Setup' }).click();
+    const size = page.getByLabel('size', { exact: true });
+    await size.fill('0.3 + x*(');
+    await size.press('Enter');
+    await expect(page.getByTestId('refused')).toContainText('character');
+    await expect(page.getByTestId('position')).toHaveText('0');
+    await size.fill('0.3 + x^2');
+    await size.press('Enter');
+    await page.getByRole('button', { name: 'Refine', exact: true }).first().click();
+    await finished(page);
+    await expect(page.getByTestId('refused')).toHaveCount(0);
+  });
+
   test('opens a .poly, changes a parameter, verifies, and takes the mesh along', async ({
     page,
   }) => {

@@ -245,6 +245,8 @@ export const texts = {
     holds: 'holds',
     fails: 'fails',
     allHold: 'Every promised check holds.',
+    holdsSoFar: (left: number) =>
+      `Every check holds of the mesh so far; ${left} ${left === 1 ? 'simplex is' : 'simplices are'} left unacceptable.`,
     someFail: (n: number) => `${n} of the promised checks ${n === 1 ? 'fails' : 'fail'}.`,
     fingerprint: 'Fingerprint',
     fingerprintHint: 'The command prints the same for the same input and parameters.',
