@@ -82,6 +82,7 @@ describe('sentences and balls of moments', () => {
   it('writes messages of the core as sentences, and numbers of things in words', () => {
     expect(asSentence('segments 4 and 11 cross')).toBe('Segments 4 and 11 cross.');
     expect(asSentence('Done.')).toBe('Done.');
+    expect(asSentence('broken.poly could not be opened.')).toBe('broken.poly could not be opened.');
     expect(asSentence('')).toBe('');
     expect(texts.document.crossingsSplit(1)).toBe('1 crossing split.');
     expect(texts.document.crossingsSplit(3)).toBe('3 crossings split.');

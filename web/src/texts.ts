@@ -574,8 +574,8 @@ export function formatDegrees(x: number): string {
 
 /** The core's messages begin in lower case, as the command prints them after a file name. */
 export function asSentence(message: string): string {
-  // The name of a function stays as it is.
-  const text = message.replace(/^(?!u\b)./, (first) => first.toUpperCase());
+  // The name of a function, or of a file, stays as it is.
+  const text = message.replace(/^(?!u\b|\S+\.\w)./, (first) => first.toUpperCase());
   return /[.!?]$/.test(text) || text === '' ? text : `${text}.`;
 }
 
