@@ -139,7 +139,6 @@ export class App {
   /** Puts another input in place of this one, and refines it if `options` are given. */
   open(complex: Complex2, title: string, options?: RunOptions): void {
     this.discardRun();
-    this.notice = null; // it was about another input
     this.doc.editor.replace(complex, texts.open.opened(title));
     this.doc.title = title;
     if (options) this.first.parameters.adopt(options);
