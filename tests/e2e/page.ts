@@ -1,4 +1,5 @@
 import { expect, type Page } from '@playwright/test';
+import { square } from '../support/square.ts';
 
 /** What the tests do on the page, in the words of those who use it. */
 
@@ -40,22 +41,7 @@ export function json(complex: object, name = 'drawing.json') {
   return { name, mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(complex)) };
 }
 
-export const square = {
-  circumball: 1,
-  dimension: 2,
-  vertices: [
-    [0, 0],
-    [1, 0],
-    [1, 1],
-    [0, 1],
-  ],
-  segments: [
-    [0, 1],
-    [1, 2],
-    [2, 3],
-    [3, 0],
-  ],
-};
+export { square };
 
 /** Two segments that cross in the middle of a square. */
 export const crossing = {

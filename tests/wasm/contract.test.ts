@@ -3,6 +3,7 @@
 import { fileURLToPath } from 'node:url';
 import createCircumball, { type CircumballModule, type Progress } from 'circumball';
 import { beforeAll, describe, expect, it } from 'vitest';
+import { square } from '../support/square.ts';
 import { nonconformity, readInterface } from './conforms';
 
 const declarations = fileURLToPath(new URL('../../wasm/circumball.d.mts', import.meta.url));
@@ -15,22 +16,6 @@ function expectDeclared(name: keyof CircumballModule, value: unknown) {
   expect(nonconformity(value, signature.getReturnType(), checker, name)).toBe('');
 }
 
-const square = {
-  circumball: 1,
-  dimension: 2,
-  vertices: [
-    [0, 0],
-    [1, 0],
-    [1, 1],
-    [0, 1],
-  ],
-  segments: [
-    [0, 1],
-    [1, 2],
-    [2, 3],
-    [3, 0],
-  ],
-};
 const squareText = JSON.stringify(square);
 const crossing = JSON.stringify({
   ...square,

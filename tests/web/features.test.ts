@@ -1,6 +1,7 @@
 import createCircumball, { type CircumballModule, type FeatureSizesAnswer } from 'circumball';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { complexToText } from '../../web/src/core/complex-json.ts';
+import { unitSquare as square } from '../../web/src/numerics/meshes.ts';
 import type { Complex2, Picture } from '../../web/src/shared/types.ts';
 import { ballOf, FeatureStore } from '../../web/src/store/features.svelte.ts';
 
@@ -8,23 +9,6 @@ let core: CircumballModule;
 beforeAll(async () => {
   core = await createCircumball();
 });
-
-const square: Complex2 = {
-  vertices: [
-    [0, 0],
-    [1, 0],
-    [1, 1],
-    [0, 1],
-  ],
-  segments: [
-    [0, 1],
-    [1, 2],
-    [2, 3],
-    [3, 0],
-  ],
-  holes: [],
-  regions: [],
-};
 
 /** A core that answers a moment later, as a worker does, and counts what it is asked. */
 function slowCore() {

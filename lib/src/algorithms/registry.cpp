@@ -114,8 +114,7 @@ std::vector<AlgorithmInfo> make_registry() {
   intestine.thesis = "Algorithm 5.3";
   intestine.action =
       "Insert the circumcenter of a triangle. Insert the midpoint of a segment or arc. A "
-      "triangle's "
-      "circumcenter that encroaches upon a segment or arc yields to it.";
+      "triangle's circumcenter that encroaches upon a segment or arc yields to it.";
   intestine.priority =
       "Encroached segments and arcs are given higher priority than poor quality triangles.";
   intestine.unacceptability =
@@ -128,8 +127,7 @@ std::vector<AlgorithmInfo> make_registry() {
       "It ends for every complex and $\\tau > \\sqrt 2$; the mesh conforms and is graded to the "
       "local feature size, triangles with $\\mathrm{RE}(t) > \\tau$ remain only in the disks about "
       "acute input vertices, and no angle is larger than $180^\\circ - 2\\kappa$ (Theorems 5.10 "
-      "and "
-      "5.11).";
+      "and 5.11).";
   intestine.checks = {"topology",  "delaunay",  "input-vertices", "input-segments", "area",
                       "intestine", "max-angle", "size",           "sizing",         "grading"};
 

@@ -127,7 +127,7 @@ std::string settle(const Complex& complex, Options* options, Settings* settings)
   } else {
     if (options->tau) return "give tau or the smallest angle, not both";
     const double degrees = options->min_angle_degrees.value_or(20.7);
-    settings->tau = 0.5 / elementary::sin(degrees * (3.14159265358979323846 / 180));
+    settings->tau = 0.5 / elementary::sin(degrees * (elementary::kPi / 180));
   }
   values.erase("tau");
   values.erase("min-angle");

@@ -6,13 +6,6 @@
 #include "quality/triangle_measure.h"
 
 namespace circumball {
-namespace {
-
-/// Circumcenters are rounded: inside a disk means inside by this, relative to its diameter.
-constexpr double kSlack = 1e-10;
-
-}  // namespace
-
 /// Theorem 5.7: the circumcenter of any triangle with RE(t) > tau lies in the diametral disk of a
 /// collar simplex. Collar simplices are read off the mesh: its subsegments at protected vertices.
 Check check_collar(const VerifyContext& context) {
@@ -27,7 +20,7 @@ Check check_collar(const VerifyContext& context) {
     if (protection[e.a] == 0 && protection[e.b] == 0) continue;
     const Point2 a = context.point(e.a), b = context.point(e.b);
     const double dx = 0.5 * (b.x - a.x), dy = 0.5 * (b.y - a.y);
-    const double r = std::sqrt(dx * dx + dy * dy) * (1 + kSlack);
+    const double r = std::sqrt(dx * dx + dy * dy) * (1 + kRoundedPosition);
     const Point2 c{a.x + dx, a.y + dy};
     collar.push_back(e);
     boxes.push_back({c.x - r, c.y - r, c.x + r, c.y + r});
@@ -49,7 +42,7 @@ Check check_collar(const VerifyContext& context) {
                  const double px = center.x - p.x, py = center.y - p.y;
                  const double qx = q.x - center.x, qy = q.y - center.y;
                  const double length2 = (q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y);
-                 covered = px * qx + py * qy > -kSlack * length2;
+                 covered = px * qx + py * qy > -kRoundedPosition * length2;
                  return !covered;
                });
     if (covered) {

@@ -16,6 +16,10 @@ namespace circumball {
 /// A vertex counts as on a segment within this, relative to the diameter, where no label says so
 /// (architecture.md, "Numbers").
 constexpr double kOnSegment = 1e-9;
+/// Distances between vertices that were rounded onto segments and circles are held against a bound
+/// with this slack, relative (architecture.md, "Numbers"): where a theorem's bound is attained,
+/// rounding decides.
+constexpr double kRoundedPosition = 1e-10;
 /// Areas agree within this, relative (circumball/verify.h).
 constexpr double kAreaTolerance = 1e-9;
 

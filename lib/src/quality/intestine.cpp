@@ -6,13 +6,6 @@
 #include "quality/triangle_measure.h"
 
 namespace circumball {
-namespace {
-
-/// Vertices on the protecting circles are rounded: on one means up to this, relative to its radius.
-constexpr double kSlack = 1e-10;
-
-}  // namespace
-
 /// Theorem 5.11, first half: any cell with RE(t) > tau lies in the disk B(q0, d) of an acute input
 /// vertex q0. Such a cell has q0 as a corner, and its others on the circle.
 Check check_intestine(const VerifyContext& context) {
@@ -30,7 +23,7 @@ Check check_intestine(const VerifyContext& context) {
     bool inside = false;
     for (unsigned i = 0; i < 3 && !inside; ++i) {
       const Point2 q0 = context.point(cell[i]);
-      const double bound = protection[cell[i]] * (1 + kSlack) + context.rounding;
+      const double bound = protection[cell[i]] * (1 + kRoundedPosition) + context.rounding;
       const auto on_disk = [&](std::uint32_t v) {
         const Point2 p = context.point(v);
         const double x = p.x - q0.x, y = p.y - q0.y;

@@ -9,10 +9,6 @@
 
 namespace circumball {
 namespace {
-/// Both sides are distances of a few ulp accuracy, and equality is attained (thesis, Theorem 2.3).
-/// A vertex on a segment is off its place by what rounding its coordinates can do, too.
-constexpr double kSlack = 1e-10;
-
 /// One side of 1/2 lfs(q0) <= N(q0) <= sqrt 2 lfs(q0): the most that N / lfs, or the least, is.
 Check check_side(const VerifyContext& context, bool upper) {
   Check check;
@@ -40,8 +36,8 @@ Check check_side(const VerifyContext& context, bool upper) {
     const double lfs = sizes.local(q0).radius;
     if (std::isinf(lfs)) continue;  // no two disjoint features
     const double ratio = n / lfs;
-    bad += upper ? n > bound * lfs * (1 + kSlack) + context.rounding
-                 : n < bound * lfs * (1 - kSlack) - context.rounding;
+    bad += upper ? n > bound * lfs * (1 + kRoundedPosition) + context.rounding
+                 : n < bound * lfs * (1 - kRoundedPosition) - context.rounding;
     if (upper ? ratio > worst : ratio < worst) {
       worst = ratio;
       check.worst = {v};

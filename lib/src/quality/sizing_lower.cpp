@@ -13,10 +13,6 @@
 namespace circumball {
 namespace {
 
-/// Distances are rounded, and vertices on segments are off their places by that: as in
-/// nearest_neighbor.cpp.
-constexpr double kSlack = 1e-10;
-
 /// The complex that Theorem 7.13 speaks of, "in which adjacent segments are split at equal
 /// lengths", as the mesh tells it, and what the theorem says of its vertices.
 class EquallySplit {
@@ -248,14 +244,15 @@ Check check_sizing_lower(const VerifyContext& context) {
     const Point2 p[3] = {context.point(c[0]), context.point(c[1]), context.point(c[2])};
     const std::uint32_t q = *std::max_element(c.begin(), c.end());
     const double diameter =
-        2 * measure_triangle(p[0], p[1], p[2]).circumradius * (1 + kSlack) + context.rounding;
+        2 * measure_triangle(p[0], p[1], p[2]).circumradius * (1 + kRoundedPosition) +
+        context.rounding;
     Sizing::Infimum size = Sizing::Infimum::kAtLeast;
     if (!split.given(q)) {  // else lfs is at most the shortest edge
       const bool free = context.mesh.vertex_features[q].kind == FeatureKind::kFree;
       const double most = diameter * (free ? 1 : std::sqrt(2.0));
-      size = of_regions <= most
-                 ? Sizing::Infimum::kBelow
-                 : h.compare_over_disk(most, context.point(q), split.radius(q) * (1 + kSlack));
+      size = of_regions <= most ? Sizing::Infimum::kBelow
+                                : h.compare_over_disk(most, context.point(q),
+                                                      split.radius(q) * (1 + kRoundedPosition));
     }
     if (size == Sizing::Infimum::kBelow) {
       ++by_size;

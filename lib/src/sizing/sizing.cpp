@@ -102,7 +102,9 @@ Infimum Sizing::compare_over_disk(double value, const Point2& center, double rad
     Interval x, y;
     int depth;
   };
-  constexpr double kBorder = 1e-12;
+  // What rounding can do to the comparison of two squared lengths: at most four units of 2^-53 on
+  // either side.
+  constexpr double kBorder = 0x1p-50;
   const auto outside = [&](const Square& s) {  // for sure
     const auto away = [](const Interval& i, double c) {
       return std::max(std::max(i.lo - c, c - i.hi), 0.0);

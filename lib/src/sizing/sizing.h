@@ -41,7 +41,7 @@ class Sizing {
   /// because of a point that is in the triangle for sure.
   Infimum compare_over_triangle(double value, const Point2& a, const Point2& b,
                                 const Point2& c) const;
-  /// The same over the closed disk, but for a relative 1e-12 of its radius at its border.
+  /// The same over the closed disk, but for rounding at its border: a relative 2^-51 of its radius.
   Infimum compare_over_disk(double value, const Point2& center, double radius) const;
 
  private:
