@@ -35,6 +35,26 @@ async function numberIn(page: Page, id: string): Promise<number> {
 }
 
 test.describe('a student of numerical methods', () => {
+  test('opens the families of Figure 7.1 from the gallery, and comes back to a run', async ({
+    page,
+  }) => {
+    const h1: number[] = [];
+    for (const id of ['figure-7-1a', 'figure-7-1b']) {
+      await open(page, `#example=${id}`);
+      await expect(page.getByTestId('error-h1')).toBeVisible();
+      await expect(page.getByRole('tab', { name: 'Numerics' })).toHaveAttribute(
+        'aria-selected',
+        'true',
+      );
+      await expect(page.getByTestId('still')).toContainText('degeneration 8');
+      h1.push(await numberIn(page, 'error-h1'));
+    }
+    expect(h1[1]!).toBeGreaterThan(1.5 * h1[0]!); // the largest angle is what costs
+    await open(page, '#example=poisson');
+    await expect(page.getByRole('radio', { name: 'Poisson’s equation' })).toBeChecked();
+    await expect(page.getByTestId('still')).toHaveCount(0);
+  });
+
   test('chooses a function, sees where the error is, and reads the orders 1 and 2', async ({
     page,
   }) => {

@@ -17,7 +17,7 @@ import { Coloring } from '../../web/src/picture/coloring.ts';
 import { MeshModel } from '../../web/src/picture/mesh-model.ts';
 import { boundsOf } from '../../web/src/picture/view.ts';
 import { Label } from '../../web/src/shared/types.ts';
-import { formatTick } from '../../web/src/texts.ts';
+import { formatTick } from '../../web/src/words.ts';
 import { lattice } from './picture-helpers.ts';
 
 let core: CircumballModule;

@@ -4,7 +4,8 @@ import { angleBound } from '../../web/src/replay/measure.ts';
 import { momentAt } from '../../web/src/replay/moment.ts';
 import { Replay } from '../../web/src/replay/replay.ts';
 import { Trace } from '../../web/src/replay/trace.ts';
-import { asSentence, texts } from '../../web/src/texts.ts';
+import { texts } from '../../web/src/texts.ts';
+import { asSentence } from '../../web/src/words.ts';
 import { type Draft, encode, squareDrafts, unitSquare } from './small-trace.ts';
 
 /** The moment of one more event, after the unit square has been triangulated. */

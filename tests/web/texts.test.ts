@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { asSentence, formatList, raised } from '../../web/src/texts.ts';
+import { asSentence, formatList, raised } from '../../web/src/words.ts';
 
 it('raises what the core writes in plain text, and leaves expressions alone', () => {
   expect(raised('like h in H1 and like h^2 in L2.')).toBe('like h in H¹ and like h² in L².');

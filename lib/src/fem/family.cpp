@@ -133,15 +133,13 @@ const std::vector<FamilyInfo>& mesh_families() {
   static const std::vector<FamilyInfo> families{
       {MeshFamily::kNarrow, "narrow", "Narrow, without large angles",
        "Figure 7.1(a): right triangles become needles, and the error in H1 stays below a multiple "
-       "of "
-       "h."},
+       "of h."},
       {MeshFamily::kLargeAngles, "large-angles", "Narrow, with large angles",
        "Figure 7.1(b): the largest angle tends to 180 degrees, and the error in H1 grows like the "
        "circumradius."},
       {MeshFamily::kHighDegree, "high-degree", "Narrow, with high degrees",
        "Figure 7.1(c): ever more triangles meet at a vertex, no angle is large, and the error in "
-       "H1 "
-       "stays below a multiple of h."},
+       "H1 stays below a multiple of h."},
   };
   return families;
 }

@@ -1,4 +1,4 @@
-import { formatCount, formatNumber, simplexName } from '../texts.ts';
+import { formatCount, formatNumber, simplexName } from '../words.ts';
 import { Kind, NONE, Reason, type TraceEvent } from './event.ts';
 
 /**

@@ -1,4 +1,5 @@
 import type { RunOptions } from 'circumball';
+import type { NumericsOptions } from '../link/link.ts';
 
 /** The example set of the project (examples/index.json): gallery here, smoke tests of the command, cases of the tests. */
 export interface Example {
@@ -8,6 +9,7 @@ export interface Example {
   readonly files: readonly string[]; // the first one is read, the others are its siblings
   readonly options: RunOptions;
   readonly compare: RunOptions | null; // a second algorithm beside the first one
+  readonly numerics: NumericsOptions | null; // what is measured on the mesh
 }
 
 const urls = import.meta.glob('../../../examples/*.{json,poly,node,ele,svg,obj}', {
@@ -20,6 +22,15 @@ const lists = import.meta.glob('../../../examples/index.json', {
   import: 'default',
   eager: true,
 }) as Record<string, unknown>;
+
+/** What an entry that measures leaves out. */
+const measured: NumericsOptions = {
+  function: 'smooth',
+  expression: '',
+  method: 'interpolation',
+  norm: 'h1',
+  family: null,
+};
 
 export const examples: readonly Example[] = parse(Object.values(lists)[0]);
 
@@ -45,6 +56,7 @@ interface Entry {
   readonly algorithm?: string;
   readonly options?: RunOptions;
   readonly compare?: RunOptions;
+  readonly numerics?: Partial<NumericsOptions>;
 }
 
 function parse(index: unknown): Example[] {
@@ -57,5 +69,6 @@ function parse(index: unknown): Example[] {
       files: [e.file],
       options: { ...(e.algorithm ? { algorithm: e.algorithm } : {}), ...e.options },
       compare: e.compare ?? null,
+      numerics: e.numerics ? { ...measured, ...e.numerics } : null,
     }));
 }

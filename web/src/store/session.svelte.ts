@@ -81,8 +81,9 @@ function fromWords(
 
 /** Shows the error of a function of the core's list, by its id. */
 function measure(app: App, id: string): void {
-  if (!app.hello?.functions.some((f) => f.id === id)) throw new Error(texts.open.noFunction(id));
-  app.numerics.function = id;
+  const known = app.hello?.functions.find((f) => f.id === id);
+  if (!known) throw new Error(texts.open.noFunction(id));
+  app.numerics.choose(known, app.doc.complex);
   app.tab = 'numerics';
 }
 
@@ -100,8 +101,14 @@ export async function openExample(
   app.open(complexFromJson(answer.complex), example.title, example.options);
   const beside = compare ?? example.compare;
   if (beside) await app.compare({ options: beside });
+  const { numerics } = example;
   const still = app.settings.reducedMotion || document.visibilityState === 'hidden';
-  await app.refine({ play: !still });
+  app.numerics.leave();
+  await app.refine({ play: !still && !numerics });
+  if (numerics && app.doc.title === example.title) {
+    app.numerics.adopt(numerics); // after the run, as in a link
+    measure(app, numerics.function);
+  }
   if (first && app.doc.title === example.title)
     app.announcement = `${example.title}. ${example.text}`;
 }

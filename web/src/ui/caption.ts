@@ -1,7 +1,7 @@
 import { histogram } from '../replay/measure.ts';
 import { app } from '../store/app.svelte.ts';
 import type { Pane } from '../store/pane.svelte.ts';
-import { formatCount, formatDegrees, formatNumber } from '../texts.ts';
+import { formatCount, formatDegrees, formatNumber } from '../words.ts';
 
 /** A figure caption with everything that is needed to make the figure again: of both meshes while comparing. */
 export function caption(): string {

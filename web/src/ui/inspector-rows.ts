@@ -5,7 +5,8 @@ import { measureTriangle } from '../replay/measure.ts';
 import type { Protection } from '../replay/protection.ts';
 import type { Trace } from '../replay/trace.ts';
 import { VertexKind } from '../shared/types.ts';
-import { formatDegrees, formatNumber, simplexName, texts } from '../texts.ts';
+import { texts } from '../texts.ts';
+import { formatDegrees, formatNumber, simplexName } from '../words.ts';
 
 /** A name and what it is, as the inspector lists it. */
 export type Row = readonly [name: string, value: string];
