@@ -20,7 +20,7 @@ import type {
   Sketch,
   View,
 } from '../shared/types';
-import { emptyComplex, Label, VertexKind } from '../shared/types';
+import { defaultOverlays, emptyComplex, Label, VertexKind } from '../shared/types';
 import { mix } from './color';
 import { Coloring } from './coloring';
 import { fieldPixels } from './field';
@@ -67,22 +67,7 @@ export class Scene {
   picked: Hit | null = null;
   insets: Insets = noInsets;
   theme: PictureTheme;
-  overlays: Overlays = {
-    mesh: true,
-    outside: true,
-    vertices: true,
-    circumcircles: false,
-    diametral: false,
-    featureSize: false,
-    neighbors: false,
-    spindles: false,
-    collars: false,
-    intestines: false,
-    ancestry: true,
-    labels: false,
-    grid: true,
-    highlight: null,
-  };
+  overlays: Overlays = { ...defaultOverlays, outside: true, grid: true };
   facts: OverlayFacts = noFacts;
   private fieldImage: { key: unknown[]; pixels: Uint8Array } | null = null;
   private disks: { key: unknown[]; disks: readonly DiametralDisk[] } | null = null;

@@ -166,6 +166,24 @@ export interface Overlays {
   readonly highlight: ReadonlySet<number> | null; // triangles to stress (a bin of the histogram), by number
 }
 
+/** What is drawn at a first visit. */
+export const defaultOverlays: Overlays = {
+  mesh: true,
+  outside: false,
+  vertices: true,
+  circumcircles: false,
+  diametral: false,
+  featureSize: false,
+  neighbors: false,
+  spindles: false,
+  collars: false,
+  intestines: false,
+  ancestry: true,
+  labels: false,
+  grid: false,
+  highlight: null,
+};
+
 /** Overlays of the theory, in the order in which they are listed. */
 export const theoryOverlays = [
   'featureSize',

@@ -102,9 +102,10 @@ export async function openExample(
   const beside = compare ?? example.compare;
   if (beside) await app.compare({ options: beside });
   const { numerics } = example;
-  const still = app.settings.reducedMotion || document.visibilityState === 'hidden';
+  const { reducedMotion } = app.settings;
+  const unseen = document.visibilityState === 'hidden' || app.dialog !== null;
   app.numerics.leave();
-  await app.refine({ play: !still && !numerics });
+  await app.refine({ play: !reducedMotion && !unseen && !numerics });
   if (numerics && app.doc.title === example.title) {
     app.numerics.adopt(numerics); // after the run, as in a link
     measure(app, numerics.function);

@@ -1,5 +1,6 @@
 import {
   type ColorMode,
+  defaultOverlays,
   type Overlays,
   type TheoryOverlay,
   theoryOverlays,
@@ -10,23 +11,6 @@ import {
 export type ThemeChoice = 'auto' | 'light' | 'dark';
 
 const KEY = 'circumball.settings';
-
-export const defaultOverlays: Overlays = {
-  mesh: true,
-  outside: false,
-  vertices: true,
-  circumcircles: false,
-  diametral: false,
-  featureSize: false,
-  neighbors: false,
-  spindles: false,
-  collars: false,
-  intestines: false,
-  ancestry: true,
-  labels: false,
-  grid: false,
-  highlight: null,
-};
 
 export class Settings {
   theme = $state<ThemeChoice>('auto');

@@ -5,7 +5,6 @@
 
 import {
   BufferAttribute,
-  CustomBlending,
   DynamicDrawUsage,
   GLSL3,
   InstancedBufferGeometry,
@@ -13,11 +12,9 @@ import {
   InterleavedBufferAttribute,
   type IUniform,
   Mesh,
-  OneFactor,
-  OneMinusSrcAlphaFactor,
   RawShaderMaterial,
 } from 'three';
-import type { ViewUniforms } from './uniforms';
+import { premultiplied, type ViewUniforms } from './uniforms';
 
 export interface BatchShader {
   /** Floats a row, by attribute. */
@@ -65,11 +62,7 @@ export class Batch {
       transparent: true,
       depthTest: false,
       depthWrite: false,
-      blending: CustomBlending, // shaders give premultiplied colors
-      blendSrc: OneFactor,
-      blendDst: OneMinusSrcAlphaFactor,
-      blendSrcAlpha: OneFactor,
-      blendDstAlpha: OneMinusSrcAlphaFactor,
+      ...premultiplied,
     });
     this.mesh = new Mesh(geometry, material);
     this.mesh.frustumCulled = false;

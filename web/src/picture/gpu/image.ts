@@ -4,14 +4,11 @@ import {
   BufferAttribute,
   BufferGeometry,
   ClampToEdgeWrapping,
-  CustomBlending,
   DataTexture,
   GLSL3,
   LinearFilter,
   Mesh,
   type Object3D,
-  OneFactor,
-  OneMinusSrcAlphaFactor,
   RawShaderMaterial,
   RGBAFormat,
   UnsignedByteType,
@@ -19,7 +16,7 @@ import {
 } from 'three';
 import type { Bounds } from '../../shared/types';
 import type { Window } from '../window';
-import { type ViewUniforms, viewGlsl } from './uniforms';
+import { premultiplied, type ViewUniforms, viewGlsl } from './uniforms';
 
 export class ImageLayer {
   private readonly mesh: Mesh<BufferGeometry, RawShaderMaterial>;
@@ -52,11 +49,7 @@ void main() { vec4 c = texture(uTexels, vAt); color = vec4(c.rgb * c.a, c.a); }`
       transparent: true,
       depthTest: false,
       depthWrite: false,
-      blending: CustomBlending, // the shader gives premultiplied colors
-      blendSrc: OneFactor,
-      blendDst: OneMinusSrcAlphaFactor,
-      blendSrcAlpha: OneFactor,
-      blendDstAlpha: OneMinusSrcAlphaFactor,
+      ...premultiplied,
     });
     this.mesh = new Mesh(geometry, material);
     this.mesh.frustumCulled = false;

@@ -1,7 +1,16 @@
-import { Vector2, Vector4 } from 'three';
+import { CustomBlending, OneFactor, OneMinusSrcAlphaFactor, Vector2, Vector4 } from 'three';
 import type { View } from '../../shared/types';
 import type { Size } from '../view';
 import type { Window } from '../window';
+
+/** How a material blends whose shader gives premultiplied colors. */
+export const premultiplied = {
+  blending: CustomBlending,
+  blendSrc: OneFactor,
+  blendDst: OneMinusSrcAlphaFactor,
+  blendSrcAlpha: OneFactor,
+  blendDstAlpha: OneMinusSrcAlphaFactor,
+} as const;
 
 /** What all shaders share: from window units to CSS pixels about the center of the canvas, and from there to clip space. */
 export interface ViewUniforms {
