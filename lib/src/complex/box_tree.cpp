@@ -4,7 +4,8 @@
 
 namespace circumball {
 
-BoxTree::BoxTree(std::vector<Box2> boxes) : boxes_(std::move(boxes)) {
+template <class Box>
+BoxTreeOf<Box>::BoxTreeOf(std::vector<Box> boxes) : boxes_(std::move(boxes)) {
   if (boxes_.empty()) return;
   items_.resize(boxes_.size());
   std::iota(items_.begin(), items_.end(), 0u);
@@ -12,23 +13,21 @@ BoxTree::BoxTree(std::vector<Box2> boxes) : boxes_(std::move(boxes)) {
   build(0, static_cast<std::uint32_t>(items_.size()));
 }
 
-void BoxTree::build(std::uint32_t first, std::uint32_t last) {
+template <class Box>
+void BoxTreeOf<Box>::build(std::uint32_t first, std::uint32_t last) {
   const std::uint32_t me = static_cast<std::uint32_t>(nodes_.size());
-  Box2 box = boxes_[items_[first]];
+  Box box = boxes_[items_[first]];
   for (std::uint32_t i = first + 1; i < last; ++i) box.extend(boxes_[items_[i]]);
   nodes_.push_back({box, first, last - first});
   if (last - first <= kLeafSize) {
     std::sort(items_.begin() + first, items_.begin() + last);
     return;
   }
-  const bool along_x = box.hi_x - box.lo_x >= box.hi_y - box.lo_y;
+  const int axis = box.longest_axis();
   const std::uint32_t middle = first + (last - first) / 2;
   std::nth_element(items_.begin() + first, items_.begin() + middle, items_.begin() + last,
                    [&](std::uint32_t a, std::uint32_t b) {
-                     const Box2& p = boxes_[a];
-                     const Box2& q = boxes_[b];
-                     const double u = along_x ? p.lo_x + p.hi_x : p.lo_y + p.hi_y;
-                     const double v = along_x ? q.lo_x + q.hi_x : q.lo_y + q.hi_y;
+                     const double u = boxes_[a].middle2(axis), v = boxes_[b].middle2(axis);
                      return u != v ? u < v : a < b;  // a total order: the halves are unique
                    });
   build(first, middle);
@@ -37,5 +36,8 @@ void BoxTree::build(std::uint32_t first, std::uint32_t last) {
   nodes_[me].link = second;
   nodes_[me].count = 0;
 }
+
+template class BoxTreeOf<Box2>;
+template class BoxTreeOf<Box3>;
 
 }  // namespace circumball

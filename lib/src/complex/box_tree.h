@@ -14,6 +14,7 @@ namespace circumball {
 
 /// A closed axis-parallel rectangle.
 struct Box2 {
+  using Point = Point2;
   double lo_x, lo_y, hi_x, hi_y;
 
   static Box2 of(const Point2& p) { return {p.x, p.y, p.x, p.y}; }
@@ -35,19 +36,74 @@ struct Box2 {
     const double dy = std::max(std::max(lo_y - p.y, p.y - hi_y), 0.0);
     return dx * dx + dy * dy;
   }
+  double extent(int axis) const { return axis == 0 ? hi_x - lo_x : hi_y - lo_y; }
+  /// Twice the center's coordinate.
+  double middle2(int axis) const { return axis == 0 ? lo_x + hi_x : lo_y + hi_y; }
+  int longest_axis() const { return extent(0) >= extent(1) ? 0 : 1; }
 };
 
-/// A static tree of bounding boxes: items are split at the median of their centers along the longer
-/// side, so that its depth is logarithmic whatever the input, clusters and equal boxes included.
-/// Linear memory. Queries filter only: what decides is the caller's exact test at the items.
-class BoxTree {
+/// A closed axis-parallel box of space.
+struct Box3 {
+  using Point = Point3;
+  double lo_x, lo_y, lo_z, hi_x, hi_y, hi_z;
+
+  static Box3 of(const Point3& p) { return {p.x, p.y, p.z, p.x, p.y, p.z}; }
+  static Box3 of(const Point3& a, const Point3& b) {
+    return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z),
+            std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
+  }
+  static Box3 of(const Point3& a, const Point3& b, const Point3& c) {
+    Box3 box = of(a, b);
+    box.extend(of(c));
+    return box;
+  }
+  void extend(const Box3& o) {
+    lo_x = std::min(lo_x, o.lo_x);
+    lo_y = std::min(lo_y, o.lo_y);
+    lo_z = std::min(lo_z, o.lo_z);
+    hi_x = std::max(hi_x, o.hi_x);
+    hi_y = std::max(hi_y, o.hi_y);
+    hi_z = std::max(hi_z, o.hi_z);
+  }
+  bool meets(const Box3& o) const {
+    return lo_x <= o.hi_x && o.lo_x <= hi_x && lo_y <= o.hi_y && o.lo_y <= hi_y && lo_z <= o.hi_z &&
+           o.lo_z <= hi_z;
+  }
+  /// Squared distance from a point, rounded; 0 inside.
+  double distance2(const Point3& p) const {
+    const double dx = std::max(std::max(lo_x - p.x, p.x - hi_x), 0.0);
+    const double dy = std::max(std::max(lo_y - p.y, p.y - hi_y), 0.0);
+    const double dz = std::max(std::max(lo_z - p.z, p.z - hi_z), 0.0);
+    return dx * dx + dy * dy + dz * dz;
+  }
+  double extent(int axis) const {
+    return axis == 0 ? hi_x - lo_x : axis == 1 ? hi_y - lo_y : hi_z - lo_z;
+  }
+  /// Twice the center's coordinate.
+  double middle2(int axis) const {
+    return axis == 0 ? lo_x + hi_x : axis == 1 ? lo_y + hi_y : lo_z + hi_z;
+  }
+  int longest_axis() const {
+    const int axis = extent(0) >= extent(1) ? 0 : 1;
+    return extent(axis) >= extent(2) ? axis : 2;
+  }
+};
+
+/// A static tree of bounding boxes: items are split at the median of their centers along the
+/// longest side, so that its depth is logarithmic whatever the input, clusters and equal boxes
+/// included. Linear memory. Queries filter only: what decides is the caller's exact test at the
+/// items. `Box` is Box2 or Box3.
+template <class Box>
+class BoxTreeOf {
  public:
-  BoxTree() = default;
+  using Point = typename Box::Point;
+
+  BoxTreeOf() = default;
   /// One box for each item; items are named by their place in `boxes`. O(n log n).
-  explicit BoxTree(std::vector<Box2> boxes);
+  explicit BoxTreeOf(std::vector<Box> boxes);
 
   std::size_t size() const { return boxes_.size(); }
-  const Box2& box(std::uint32_t item) const { return boxes_[item]; }
+  const Box& box(std::uint32_t item) const { return boxes_[item]; }
 
   /// Calls visit(item) for the items of all leaves that can be reached through boxes for which
   /// enter(box) is true, until it returns false. Items of such leaves whose own box is not entered
@@ -78,8 +134,8 @@ class BoxTree {
   /// false; equal distances in the order of items. `distance` must not be less than the distance of
   /// the item's box.
   template <class Distance, class Visit>
-  void nearest(const Point2& p, Distance distance, Visit visit) const {
-    nearest_by([&](const Box2& box) { return box.distance2(p); }, distance, visit);
+  void nearest(const Point& p, Distance distance, Visit visit) const {
+    nearest_by([&](const Box& box) { return box.distance2(p); }, distance, visit);
   }
 
   /// The same for any distance: bound(box) is at most distance(item) for each item in the box.
@@ -112,7 +168,7 @@ class BoxTree {
   static constexpr std::uint32_t kLeafSize = 6;
   static constexpr int kMaxDepth = 80;  // two a level of a halving tree over at most 2^32 items
   struct Node {
-    Box2 box;
+    Box box;
     std::uint32_t link;   // leaf: first of its items in items_; else: second child (the first
                           // follows the node)
     std::uint32_t count;  // leaf: number of items; else 0
@@ -132,10 +188,15 @@ class BoxTree {
   };
   void build(std::uint32_t first, std::uint32_t last);
 
-  std::vector<Box2> boxes_;
+  std::vector<Box> boxes_;
   std::vector<std::uint32_t> items_;
   std::vector<Node> nodes_;
 };
+
+extern template class BoxTreeOf<Box2>;
+extern template class BoxTreeOf<Box3>;
+using BoxTree = BoxTreeOf<Box2>;
+using BoxTree3 = BoxTreeOf<Box3>;
 
 }  // namespace circumball
 
