@@ -30,6 +30,7 @@ struct Example {
 std::vector<Example> gallery() {
   std::vector<Example> list;
   for (const auto& entry : nlohmann::json::parse(bytes_of("index.json"))) {
+    if (entry.value("dimension", 2) != 2) continue;  // of space: checked as complexes above
     list.push_back({entry["id"], entry["file"], entry["algorithm"],
                     entry.value("options", nlohmann::json::object())});
   }

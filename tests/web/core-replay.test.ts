@@ -1,4 +1,4 @@
-import { readdirSync, readFileSync } from 'node:fs';
+import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import createCircumball, { type CircumballModule } from 'circumball';
 import { beforeAll, describe, expect, it } from 'vitest';
@@ -7,14 +7,12 @@ import { momentAt } from '../../web/src/replay/moment.ts';
 import { Replay } from '../../web/src/replay/replay.ts';
 import { canonical, Trace } from '../../web/src/replay/trace.ts';
 import { Label } from '../../web/src/shared/types.ts';
+import { exampleFiles } from './core-run.ts';
 import { random } from './small-trace.ts';
 
 /** The page draws nothing but the replayed trace: it must be the mesh of the core, for every example and algorithm. */
 
 const folder = fileURLToPath(new URL('../../examples/', import.meta.url));
-const files = readdirSync(folder).filter(
-  (f) => /\.(json|poly|svg|obj)$/.test(f) && f !== 'index.json',
-);
 
 let core: CircumballModule;
 beforeAll(async () => {
@@ -49,7 +47,7 @@ function liveInside(replay: Replay): string[] {
   return names.sort();
 }
 
-describe.each(files)('%s', (file) => {
+describe.each(exampleFiles)('%s', (file) => {
   it.each(['delaunay', 'ruppert', 'chew'])('replays to the mesh of %s', (algorithm) => {
     const { trace, handle, status } = run(file, algorithm, 100);
     const mesh = core.mesh(handle)!;

@@ -9,8 +9,15 @@ import type { Complex2 } from '../../web/src/shared/types.ts';
 
 const folder = fileURLToPath(new URL('../../examples/', import.meta.url));
 
+const index = JSON.parse(readFileSync(`${folder}index.json`, 'utf8')) as {
+  file: string;
+  dimension?: number;
+}[];
+const ofSpace = new Set(index.filter((e) => e.dimension === 3).map((e) => e.file));
+
+/** Those of the plane. */
 export const exampleFiles = readdirSync(folder).filter(
-  (f) => /\.(json|poly|svg|obj)$/.test(f) && f !== 'index.json',
+  (f) => /\.(json|poly|svg|obj)$/.test(f) && f !== 'index.json' && !ofSpace.has(f),
 );
 
 export function readExample(core: CircumballModule, file: string): Complex2 {
