@@ -39,10 +39,24 @@ class Budget {
   Clock::time_point deadline_;
 };
 
+/// The plane, as the loop and the steps see it; `Space` (stage3.h) is its sibling. `Agenda` says
+/// which simplices there are, in which order they wait, and which an insertion concerns.
+template <class Rules>
+class Agenda2;
+struct Plane {
+  using Live = Live2;
+  using View = circumball::View;
+  using Recorder = circumball::Recorder;
+  using Point = Point2;
+  template <class Rules>
+  using Agenda = Agenda2<Rules>;
+};
+
 /// What all steps of a run share.
-struct Workspace {
-  Live2& live;
-  Recorder& recorder;
+template <class World>
+struct WorkspaceOf {
+  typename World::Live& live;
+  typename World::Recorder& recorder;
   const Limits& limits;
   const std::atomic<bool>& cancelled;
   std::uint64_t iterations = 0;
@@ -54,8 +68,7 @@ struct Workspace {
 
   /// Vertices, memory and cancellation; seconds are the run's.
   bool within_limits() {
-    const Delaunay2& dt = live.triangulation();
-    if (limits.max_vertices && dt.vertex_count() >= limits.max_vertices) {
+    if (limits.max_vertices && live.triangulation().vertex_count() >= limits.max_vertices) {
       limit = Reason::kLimitVertices;
     } else if (cancelled.load(std::memory_order_relaxed)) {
       limit = Reason::kCancelled;
@@ -67,11 +80,15 @@ struct Workspace {
   std::uint32_t ticks = 0;
 };
 
+using Workspace = WorkspaceOf<Plane>;
+
 /// One step of an algorithm: a run of the loop, or a single sweep.
-class Stage {
+template <class World>
+class StageOf {
  public:
-  Stage(std::string name, std::string title) : name(std::move(name)), title(std::move(title)) {}
-  virtual ~Stage() = default;
+  using Workspace = WorkspaceOf<World>;
+  StageOf(std::string name, std::string title) : name(std::move(name)), title(std::move(title)) {}
+  virtual ~StageOf() = default;
   virtual void begin(Workspace&) {}
   /// Goes on; true when the step is done. A limit in the workspace ends it, too.
   virtual bool advance(Workspace&, Budget&) = 0;
@@ -84,6 +101,7 @@ class Stage {
 
   const std::string name, title;
 };
+using Stage = StageOf<Plane>;
 
 }  // namespace circumball
 

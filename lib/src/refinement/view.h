@@ -43,6 +43,10 @@ inline Proposal yield_to_encroached(const Point2& at) {
 }
 inline Proposal refuse(const Point2& at, Reason why) { return {Proposal::kRefuse, why, at}; }
 
+/// Identity of a simplex among all that a run ever has.
+inline std::uint64_t key(SubsegmentId s) { return std::uint64_t{s.value} << 1; }
+inline std::uint64_t key(TriangleRef t) { return std::uint64_t{t.birth} << 1 | 1; }
+
 /// What is around a point that is not inserted yet.
 enum class Outlook : std::uint8_t {
   kFree,        ///< inside the domain, in no diametral disk
@@ -56,6 +60,25 @@ class View {
   /// `measuring`: whether somebody wants to know the measures behind the verdicts.
   View(Live2& live, bool measuring)
       : live_(live), dt_(live.triangulation()), measuring_(measuring) {}
+
+  // --- what the loop asks
+  bool in_domain(SubsegmentId) const { return true; }
+  /// Finds a lost label again.
+  bool in_domain(TriangleRef t) const { return live_.in_domain(t.id); }
+  /// A subsegment that was missing may be an edge again.
+  void found_acceptable(SubsegmentId s) { live_.tag_edge(s); }
+  void found_acceptable(TriangleRef) {}
+  /// Whether p can be inserted to split the simplex that it was proposed for: it has been looked
+  /// at, coincides with no vertex, and the predicates are exact for it (architecture.md, Numbers).
+  bool ready(const Point2& p, SubsegmentId s) {
+    return look_at_midpoint(p, s) != Outlook::kCoincides && representable(p);
+  }
+  bool ready(const Point2& p, TriangleRef) const { return representable(p); }
+  /// Whether a circumcenter may yield to it.
+  bool may_split(SubsegmentId s) const {
+    const Subsegment& u = live_.subsegment(s);
+    return u.alive && !u.frozen && !u.is_collar;
+  }
 
   // --- subsegments
   bool alive(SubsegmentId s) const { return live_.subsegment(s).alive; }
@@ -132,7 +155,9 @@ class View {
   Verdict too_large_an_estimate(SubsegmentId s) const;
 
   // --- triangles
-  bool alive(TriangleRef t) const { return dt_.alive(t.id) && dt_.triangle(t.id).birth == t.birth; }
+  bool alive(TriangleRef t) const {  // false for none
+    return dt_.alive(t.id) && dt_.triangle(t.id).birth == t.birth;
+  }
   TriangleShape shape(TriangleRef t) const {
     const auto& v = dt_.triangle(t.id).v;
     return shape_of(dt_.point(v[0]), dt_.point(v[1]), dt_.point(v[2]));
@@ -197,6 +222,10 @@ class View {
 
  private:
   Outlook outlook(const Point2& p);
+  static bool representable(const Point2& p) {
+    const auto fine = [](double x) { return x == 0 || x >= 1e-45 || x <= -1e-45; };
+    return fine(p.x) && fine(p.y);
+  }
   bool is_seditious(VertexId u, VertexId v) const;
   VertexId encroaching_apex(SubsegmentId s, HalfEdge h) const {
     const VertexId p = dt_.apex(h);
