@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "circumball/types.h"
+#include "delaunay/slot.h"
 
 namespace circumball {
 
@@ -14,7 +15,6 @@ using TriangleId = std::uint32_t;  ///< index of a slot
 /// 4 * triangle + i: the directed edge opposite vertex i, from vertex i+1 to vertex i+2
 /// (counter-clockwise).
 using HalfEdge = std::uint32_t;
-constexpr std::uint32_t kNone = 0xffffffffu;
 
 /// Exact Delaunay triangulation of points in the plane, by incremental insertion (Bowyer 1981,
 /// Watson 1981).

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "delaunay/delaunay2.h"
+#include "delaunay/delaunay3.h"
 
 namespace circumball {
 
@@ -23,6 +24,21 @@ namespace circumball {
 ///  7. the hull turns to one side, and where it goes straight it does not turn back.
 /// O(n).
 bool is_valid(const Delaunay2& triangulation, std::string* why);
+
+/// The same for a triangulation in space. Checked, in this order:
+///  1. the dimension fits the number of vertices, and below 2 there are no cells, and the vertices
+///  are on one line, their neighbors along it;
+///  2. corners are inserted vertices, only the last may be kGhost; cell_of gives a cell that has
+///  the vertex;
+///  3. twins point at each other, and have the same corners the other way round;
+///  4. the cells at a vertex hang together, and its link is a sphere, by Euler's formula;
+///  5. cells are positively oriented; in dimension 2 there are ghosts alone, and all vertices are
+///  in one plane;
+///  6. every facet is locally Delaunay, ties settled by vertex numbers: hence all of it is
+///  (Delaunay 1934);
+///  7. the hull is convex at every edge, and where it is flat, it is locally Delaunay.
+/// O(n) in dimension 3; in dimension 2, O(n) for each edge of the hull.
+bool is_valid(const Delaunay3& triangulation, std::string* why);
 
 }  // namespace circumball
 

@@ -32,6 +32,36 @@ struct HilbertTable {
 };
 constexpr HilbertTable kHilbert;
 
+/// One level of the curve in space, after Hamilton ("Compact Hilbert indices", 2006): a cell is
+/// entered at corner `entry`, and left along axis `direction` from it; state is 3 * entry +
+/// direction. The entry of (state, octant) holds 3 bits of the key, and the next state above them.
+struct HilbertTable3 {
+  std::array<std::uint8_t, 24 * 8> entry{};
+  static constexpr std::uint32_t rotated(std::uint32_t bits, std::uint32_t left) {
+    return (bits << left | bits >> (3 - left)) & 7;
+  }
+  static constexpr std::uint32_t gray(std::uint32_t i) { return i ^ i >> 1; }
+  constexpr HilbertTable3() {
+    for (std::uint32_t state = 0; state < 24; ++state) {
+      const std::uint32_t corner = state / 3, direction = state % 3;
+      for (std::uint32_t octant = 0; octant < 8; ++octant) {
+        // The octant's place on the curve: the inverse Gray code in the cell's own frame.
+        std::uint32_t place = rotated(octant ^ corner, 2 - direction);
+        place ^= place >> 1 ^ place >> 2;
+        // Where the curve enters that octant, and along which axis it leaves it, in that frame.
+        const std::uint32_t enters = place == 0 ? 0 : gray((place - 1) & ~1u);
+        std::uint32_t along = 0;
+        if (place != 0)
+          for (std::uint32_t i = place % 2 == 0 ? place - 1 : place; i & 1; i >>= 1) ++along;
+        const std::uint32_t next =
+            3 * (corner ^ rotated(enters, (direction + 1) % 3)) + (direction + along + 1) % 3;
+        entry[8 * state + octant] = static_cast<std::uint8_t>(next << 3 | place);
+      }
+    }
+  }
+};
+constexpr HilbertTable3 kHilbert3;
+
 /// Mixes 64 bits (Steele, Lea and Flood, "Fast splittable pseudorandom number generators", 2014).
 std::uint64_t splitmix64(std::uint64_t z) {
   z += 0x9e3779b97f4a7c15u;
@@ -48,6 +78,17 @@ std::uint32_t hilbert_key(std::uint32_t x, std::uint32_t y) {
     const std::uint32_t e = kHilbert.entry[state << 8 | (x >> shift & 15) << 4 | (y >> shift & 15)];
     key = key << 8 | (e & 255);
     state = e >> 8;
+  }
+  return key;
+}
+
+std::uint32_t hilbert_key(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
+  std::uint32_t state = 0, key = 0;
+  for (int bit = 9; bit >= 0; --bit) {
+    const std::uint32_t octant = (x >> bit & 1) | (y >> bit & 1) << 1 | (z >> bit & 1) << 2;
+    const std::uint32_t e = kHilbert3.entry[8 * state + octant];
+    key = key << 3 | (e & 7);
+    state = e >> 3;
   }
   return key;
 }

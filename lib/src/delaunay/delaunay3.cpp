@@ -1,0 +1,442 @@
+#include "delaunay/delaunay3.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+#include "predicates/fast.h"
+
+namespace circumball {
+namespace {
+
+/// Marks of cells while a cavity is dug.
+constexpr std::uint8_t kInside = 1, kOutside = 2;
+
+/// Vertices of a cavity's boundary that link_by_table can number.
+constexpr std::size_t kTableSide = 64;
+
+}  // namespace
+
+constexpr VertexId Delaunay3::kGhost;
+constexpr std::uint32_t Delaunay3::kFacet[4][3];
+
+void Delaunay3::reserve(std::size_t vertices) {
+  // Uniform points have 6.77 cells each (the mean of a Poisson process), others seldom more.
+  const std::size_t cells = 7 * vertices;
+  points_.reserve(vertices);
+  cell_of_.reserve(vertices);
+  vertex_mark_.reserve(vertices);
+  links_.reserve(cells);
+  notes_.reserve(cells);
+  mark_.reserve(cells);
+}
+
+std::size_t Delaunay3::bytes() const {
+  return points_.capacity() * sizeof(Point3) + links_.capacity() * sizeof(Links) +
+         notes_.capacity() * sizeof(Note) + mark_.capacity() + vertex_mark_.capacity() +
+         ring_.capacity() * sizeof(RingFacet) + flat_ring_.capacity() * sizeof(RingEdge) +
+         died_.capacity() * sizeof(Cell) +
+         (cell_of_.capacity() + free_.capacity() + line_.capacity() + cavity_.capacity() +
+          boundary_.capacity() + born_.capacity() + keys_.capacity() + table_.capacity() +
+          local_.capacity() + star_.capacity() + neighbors_.capacity()) *
+             sizeof(std::uint32_t);
+}
+
+// ---- queries ------------------------------------------------------------------------------------
+
+void Delaunay3::cells_at(VertexId v, std::vector<CellSlot>* out) const {
+  out->clear();
+  const CellSlot first = cell_of(v);
+  if (first == kNone) return;
+  out->push_back(first);
+  mark_[first] = kInside;
+  for (std::size_t k = 0; k < out->size(); ++k) {
+    const Links& at = links_[(*out)[k]];
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      const CellSlot next = at.n[i] >> 2;
+      if (at.v[i] == v || mark_[next]) continue;
+      mark_[next] = kInside;
+      out->push_back(next);
+    }
+  }
+  for (const CellSlot c : *out) mark_[c] = 0;
+}
+
+void Delaunay3::neighbors(VertexId v, std::vector<VertexId>* out) const {
+  out->clear();
+  if (!inserted(v)) return;
+  if (dimension_ < 2) {
+    VertexId sides[2];
+    line_neighbors(v, &sides[0], &sides[1]);
+    for (const VertexId u : sides)
+      if (u.valid()) out->push_back(u);
+    return;
+  }
+  cells_at(v, &star_);
+  vertex_mark_[v.value] = 1;
+  for (const CellSlot c : star_)
+    for (const VertexId u : links_[c].v) {
+      if (u == kGhost || vertex_mark_[u.value]) continue;
+      vertex_mark_[u.value] = 1;
+      out->push_back(u);
+    }
+  vertex_mark_[v.value] = 0;
+  for (const VertexId u : *out) vertex_mark_[u.value] = 0;
+}
+
+void Delaunay3::cavity_neighbors(std::vector<VertexId>* out) const {
+  out->clear();
+  const auto take = [&](VertexId u) {
+    if (!u.valid() || u == kGhost || vertex_mark_[u.value]) return;
+    vertex_mark_[u.value] = 1;
+    out->push_back(u);
+  };
+  for (const RingFacet& f : ring_)
+    for (const VertexId u : f.v) take(u);
+  for (const RingEdge& e : flat_ring_) {
+    take(e.a);
+    take(e.b);
+  }
+  for (const VertexId u : *out) vertex_mark_[u.value] = 0;
+}
+
+// A visibility walk toward b through cells at a: a cell whose cone from a holds b in its closure.
+// It never enters a ghost, as b is not outside the hull; and it ends for the reason that `walk`
+// does: the power of b with respect to the circumball falls with every step.
+CellSlot Delaunay3::walk_in_star(VertexId a, VertexId b) const {
+  CellSlot c = cell_of_[a.value];
+  if (is_ghost(c)) c = links_[c].n[3] >> 2;
+  const Point3& p = point(b);
+  CellFacet came_through = kNone;
+  for (bool moved = true; moved;) {
+    moved = false;
+    const Links& at = links_[c];
+    for (std::uint32_t i = 0; i < 4 && !moved; ++i) {
+      if (at.v[i] == b) return c;
+      if (at.v[i] == a || 4 * c + i == came_through) continue;
+      const auto& f = kFacet[i];
+      if (orient3d_filtered(p, point(at.v[f[0]]), point(at.v[f[1]]), point(at.v[f[2]])) >= 0)
+        continue;
+      came_through = at.n[i];
+      c = came_through >> 2;
+      moved = true;
+    }
+  }
+  return c;
+}
+
+bool Delaunay3::has_edge(VertexId a, VertexId b) const {
+  if (a == b) return false;
+  if (dimension_ < 2) {
+    VertexId before, after;
+    line_neighbors(a, &before, &after);
+    return before == b || after == b;
+  }
+  if (dimension_ == 2) return cell_with_edge_in_plane(a, b) != kNone;
+  const Links& at = links_[walk_in_star(a, b)];
+  return at.v[0] == b || at.v[1] == b || at.v[2] == b || at.v[3] == b;
+}
+
+CellFacet Delaunay3::find_facet(VertexId a, VertexId b, VertexId c) const {
+  if (dimension_ < 2 || a == b || b == c || c == a) return kNone;
+  const CellSlot first = dimension_ == 2 ? cell_with_edge_in_plane(a, b) : walk_in_star(a, b);
+  if (first == kNone) return kNone;
+  const auto place = [this](CellSlot at, VertexId v) {
+    std::uint32_t i = 0;
+    while (i < 4 && links_[at].v[i] != v) ++i;
+    return i;
+  };
+  const std::uint32_t ia = place(first, a), ib = place(first, b);
+  if (ia == 4 || ib == 4) return kNone;
+  // Around ab: out through the facet opposite `behind`, which leaves `ahead` behind.
+  std::uint32_t i = 0;
+  while (i == ia || i == ib) ++i;
+  std::uint32_t k = 6 - ia - ib - i;
+  CellSlot at = first;
+  do {
+    if (links_[at].v[i] == c) return 4 * at + k;
+    const VertexId pivot = links_[at].v[i];
+    const CellFacet next = links_[at].n[k];
+    at = next >> 2;
+    i = next & 3;  // the new corner
+    k = place(at, pivot);
+  } while (at != first);
+  return kNone;
+}
+
+// ---- point location -----------------------------------------------------------------------------
+
+CellSlot Delaunay3::locate(const Point3& p, CellSlot hint) const {
+  if (dimension_ < 2) return kNone;
+  if (!alive(hint)) hint = last_born_;
+  return dimension_ == 2 ? locate_in_plane(p, hint) : walk(p, hint);
+}
+
+CellSlot Delaunay3::walk(const Point3& p, CellSlot c) const {
+  CellFacet came_through = kNone;
+  if (is_ghost(c)) {
+    const Links& at = links_[c];
+    if (orient3d_filtered(point(at.v[0]), point(at.v[1]), point(at.v[2]), p) > 0) return c;
+    came_through = at.n[3];
+    c = came_through >> 2;
+  }
+  for (;;) {
+    const Links& at = links_[c];
+    if (at.v[3] == kGhost) return c;
+    std::uint32_t i = 0;
+    for (; i < 4; ++i) {
+      if (4 * c + i == came_through) continue;
+      const auto& f = kFacet[i];
+      if (orient3d_filtered(p, point(at.v[f[0]]), point(at.v[f[1]]), point(at.v[f[2]])) < 0) break;
+    }
+    if (i == 4) return c;
+    came_through = at.n[i];
+    c = came_through >> 2;
+  }
+}
+
+// ---- probe --------------------------------------------------------------------------------------
+
+// A ghost whose plane holds p: the disk of its facet is the intersection of that plane with the
+// ball of the cell behind, whose fourth vertex has no say in a tie there (its coefficient is
+// orient3d of the coplanar four).
+bool Delaunay3::in_conflict(const Links& c, const Point3& p, std::uint32_t number) const {
+  if (c.v[3] == kGhost) {
+    const double side = orient3d_filtered(point(c.v[0]), point(c.v[1]), point(c.v[2]), p);
+    if (side != 0) return side > 0;
+    return in_conflict(links_[c.n[3] >> 2], p, number);
+  }
+  const double in =
+      insphere_filtered(point(c.v[0]), point(c.v[1]), point(c.v[2]), point(c.v[3]), p);
+  return in > 0 || (in == 0 && wins_tie(c.v, p, number));
+}
+
+// Five cospherical points: the lift of the highest number whose coefficient is not zero decides.
+// That of p is minus the orientation of the cell. That of a corner is the orientation of the cell
+// with p in its place: p and the corner must be on one side of the facet opposite it.
+bool Delaunay3::wins_tie(const VertexId* v, const Point3& p, std::uint32_t p_number) const {
+  bool done[4] = {false, false, false, false};
+  for (;;) {
+    std::uint32_t top = 4;
+    for (std::uint32_t i = 0; i < 4; ++i)
+      if (!done[i] && (top == 4 || number(v[i]) > number(v[top]))) top = i;
+    if (top == 4 || p_number > number(v[top])) return false;
+    const Point3* corner[4] = {&point(v[0]), &point(v[1]), &point(v[2]), &point(v[3])};
+    corner[top] = &p;
+    const double side = orient3d_filtered(*corner[0], *corner[1], *corner[2], *corner[3]);
+    if (side != 0) return side > 0;
+    done[top] = true;
+  }
+}
+
+bool Delaunay3::equals_corner(const Point3& p, CellSlot c) {
+  for (const VertexId v : links_[c].v) {
+    if (v == kGhost || point(v) != p) continue;
+    duplicate_of_ = v;
+    return true;
+  }
+  return false;
+}
+
+template <bool kPlain>
+void Delaunay3::dig(const Point3& at_p, std::uint32_t number, CellSlot seed) {
+  const Point3 p = at_p;
+  const Links* const links = links_.data();
+  std::uint8_t* const mark = mark_.data();
+  mark[seed] = kInside;
+  cavity_.push_back(seed);
+  for (std::size_t k = 0; k < cavity_.size(); ++k) {
+    const CellSlot c = cavity_[k];
+    const Links& at = links[c];
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      const CellFacet outside = at.n[i];
+      const CellSlot t = outside >> 2;
+      if (mark[t] == kInside) continue;
+      if (mark[t] == 0) {
+        if (in_conflict(links[t], p, number)) {
+          mark[t] = kInside;
+          cavity_.push_back(t);
+          continue;
+        }
+        mark[t] = kOutside;
+      }
+      const auto& f = kFacet[i];
+      ring_.push_back({{at.v[f[0]], at.v[f[1]], at.v[f[2]]}, outside});
+      if (!kPlain) boundary_.push_back(4 * c + i);
+    }
+  }
+  for (const CellSlot c : cavity_) mark[c] = 0;
+  for (const RingFacet& f : ring_) mark[f.outside >> 2] = 0;
+}
+
+template <bool kPlain>
+Delaunay3::Probe Delaunay3::look(const Point3& p, std::uint32_t number, CellSlot start) {
+  cavity_.clear();
+  boundary_.clear();
+  ring_.clear();
+  flat_ring_.clear();
+  duplicate_of_ = VertexId();
+  if (!alive(start)) start = last_born_;
+  if (dimension_ < 3) return probe_flat(p, number, start);
+  dimension_after_ = 3;
+  const CellSlot seed = walk(p, start);
+  if (equals_corner(p, seed)) return Probe::kDuplicate;
+  dig<kPlain>(p, number, seed);
+  return Probe::kOk;
+}
+
+// ---- commit -------------------------------------------------------------------------------------
+
+// cavity_ becomes a list of `count` slots: the dead lend theirs, then come free ones, then new
+// ones.
+void Delaunay3::take_slots(std::size_t count) {
+  while (cavity_.size() < count && !free_.empty()) {
+    cavity_.push_back(free_.back());
+    free_.pop_back();
+  }
+  while (cavity_.size() < count) {
+    cavity_.push_back(slot_count());
+    links_.emplace_back();
+    mark_.push_back(0);
+  }
+  for (; cavity_.size() > count; cavity_.pop_back()) {
+    links_[cavity_.back()].v[0] = VertexId();
+    free_.push_back(cavity_.back());
+  }
+}
+
+void Delaunay3::record_dead() {
+  died_.clear();
+  born_.clear();
+  for (const CellSlot c : cavity_) died_.push_back(cell(c));
+  keys_.clear();
+  for (const CellFacet f : boundary_) keys_.push_back(notes_[f >> 2].label);
+}
+
+// Born cells share the edges of the cavity's boundary, a sphere: each directed edge belongs to one
+// cell, the other direction to its neighbor. `keys` has the local numbers of the corners.
+void Delaunay3::link_by_table(const std::uint32_t* keys) {
+  const std::size_t count = ring_.size();
+  std::uint32_t* const table = table_.data();
+  for (std::size_t j = 0; j < count; ++j) {
+    const std::uint32_t* k = keys + 3 * j;
+    const CellFacet base = 4 * cavity_[j];
+    table[kTableSide * k[1] + k[2]] = base + 1;
+    table[kTableSide * k[2] + k[0]] = base + 2;
+    table[kTableSide * k[0] + k[1]] = base + 3;
+  }
+  for (std::size_t j = 0; j < count; ++j) {
+    const std::uint32_t* k = keys + 3 * j;
+    Links& c = links_[cavity_[j]];
+    c.n[1] = table[kTableSide * k[2] + k[1]];
+    c.n[2] = table[kTableSide * k[0] + k[2]];
+    c.n[3] = table[kTableSide * k[1] + k[0]];
+  }
+}
+
+// The same for a boundary of many vertices, by open addressing with the directed edge as key.
+void Delaunay3::link_by_hash() {
+  std::size_t size = 16;
+  while (size < 6 * ring_.size()) size *= 2;
+  table_.assign(std::max(size, kTableSide * kTableSide), kNone);
+  const auto place = [&](VertexId a, VertexId b) {
+    const std::uint64_t key = std::uint64_t{a.value} << 32 | b.value;
+    std::size_t at = (key * 0x9e3779b97f4a7c15u >> 20) & (size - 1);
+    while (table_[at] != kNone) {
+      const Links& c = links_[table_[at] >> 2];
+      const std::uint32_t i = table_[at] & 3;
+      if (c.v[i % 3 + 1] == a && c.v[(i + 1) % 3 + 1] == b) break;
+      at = (at + 1) & (size - 1);
+    }
+    return at;
+  };
+  // The directed edge after corner i of (v1, v2, v3) is opposite i.
+  for (std::size_t j = 0; j < ring_.size(); ++j)
+    for (std::uint32_t i = 1; i < 4; ++i) {
+      const Links& c = links_[cavity_[j]];
+      table_[place(c.v[i % 3 + 1], c.v[(i + 1) % 3 + 1])] = 4 * cavity_[j] + i;
+    }
+  for (std::size_t j = 0; j < ring_.size(); ++j)
+    for (std::uint32_t i = 1; i < 4; ++i) {
+      Links& c = links_[cavity_[j]];
+      c.n[i] = table_[place(c.v[(i + 1) % 3 + 1], c.v[i % 3 + 1])];
+    }
+}
+
+// kPlain: all labels are 0, and no record is wanted.
+template <bool kPlain>
+void Delaunay3::fill(VertexId p) {
+  const std::size_t count = ring_.size();
+  if (!kPlain) record_dead();
+  take_slots(count);
+  if (!kPlain) {
+    notes_.resize(links_.size());
+    for (std::size_t j = 0; j < count; ++j)
+      notes_[cavity_[j]] = {keys_[j], births_ + static_cast<std::uint32_t>(j)};
+  }
+  births_ += static_cast<std::uint32_t>(count);
+  if (table_.empty()) table_.resize(kTableSide * kTableSide);
+  keys_.resize(3 * count);
+
+  // Vertices of the boundary are numbered; cell_of_ remembers, as it must be written anyway: k is
+  // the number of v if local_[k] is v.
+  local_.clear();
+  std::uint32_t ghost = kNone;
+  Links* const links = links_.data();
+  for (std::size_t j = 0; j < count; ++j) {
+    const RingFacet& f = ring_[j];
+    const CellSlot here = cavity_[j];
+    Links& c = links[here];
+    c.v[0] = p;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const VertexId v = f.v[i];
+      c.v[i + 1] = v;
+      std::uint32_t& number = v == kGhost ? ghost : cell_of_[v.value];
+      if (number >= local_.size() || local_[number] != v) {
+        number = static_cast<std::uint32_t>(local_.size());
+        local_.push_back(v);
+      }
+      keys_[3 * j + i] = number;
+    }
+    c.n[0] = f.outside;
+    links[f.outside >> 2].n[f.outside & 3] = 4 * here;
+    if (f.v[2] == kGhost) ghost_cell_ = here;
+  }
+  if (local_.size() <= kTableSide) {
+    link_by_table(keys_.data());
+  } else {
+    link_by_hash();
+  }
+  for (std::size_t j = 0; j < count; ++j)
+    for (const VertexId v : ring_[j].v)
+      if (v != kGhost) cell_of_[v.value] = cavity_[j];
+  last_born_ = cavity_[0];
+  cell_of_[p.value] = last_born_;
+  dimension_ = 3;
+  if (!kPlain) born_.swap(cavity_);
+  cavity_.clear();
+}
+
+void Delaunay3::commit(VertexId v) {
+  assert(!inserted(v) && !duplicate_of_.valid());
+  if (dimension_after_ < 3) {
+    fill_flat(v);
+  } else {
+    fill<false>(v);
+  }
+}
+
+bool Delaunay3::insert_plainly(VertexId v) {
+  if (look<true>(point(v), number(v), last_born_) == Probe::kDuplicate) return false;
+  if (dimension_after_ < 3) {
+    fill_flat(v);
+  } else {
+    fill<true>(v);
+  }
+  return true;
+}
+
+template void Delaunay3::dig<false>(const Point3&, std::uint32_t, CellSlot);
+template Delaunay3::Probe Delaunay3::look<false>(const Point3&, std::uint32_t, CellSlot);
+
+}  // namespace circumball
