@@ -80,6 +80,16 @@ std::vector<Defect> check_numbers(const Complex& complex, std::size_t max_defect
 /// (2D).
 double smallest_angle_degrees(const Complex& complex);
 
+/// A face of a 3D complex in triangles on its own vertices, counter-clockwise about its normal
+/// (Newell's, of the loop of the largest area): what its loops enclose, but for the parts between
+/// loops that a hole point lies in; segments and vertices listed in the face are edges and corners.
+/// The constrained Delaunay triangulation in the coordinate plane to which the face is nearest to
+/// parallel, where coordinates are exact; so it is valid whatever the rounding of a sloping face.
+/// Empty for a face that has none: indices out of range, no area, sides that cross or touch (see
+/// `check`), dimension 2. O(n log n) on ordinary input.
+std::vector<std::array<std::uint32_t, 3>> triangulate_face(const Complex& complex,
+                                                           std::uint32_t face);
+
 /// The complex with a square box of four segments around it (2D), `scale` times the larger extent
 /// of the input and centered on it; its vertices and segments come last. The domain `box` is this,
 /// with scale 3.
