@@ -1,44 +1,42 @@
+#include <cmath>
 #include <vector>
 
 #include "circumball/feature_size.h"
+#include "feature_size/by_definition.h"
+#include "feature_size/common_points.h"
 #include "feature_size/feature_table.h"
+#include "feature_size/infimum.h"
 
 namespace circumball {
 
-FeatureSizes::FeatureSizes(const Complex& complex, const Filter& filter)
-    : table_(std::make_unique<const Table>(complex, filter)) {}
-FeatureSizes::~FeatureSizes() = default;
-FeatureSizes::FeatureSizes(FeatureSizes&&) noexcept = default;
-FeatureSizes& FeatureSizes::operator=(FeatureSizes&&) noexcept = default;
+template <class Point>
+BasicFeatureSizes<Point>::BasicFeatureSizes(const Complex& complex, const Filter& filter)
+    : table_(std::make_unique<const FeatureTable<Point>>(complex, filter)) {}
+template <class Point>
+BasicFeatureSizes<Point>::~BasicFeatureSizes() = default;
+template <class Point>
+BasicFeatureSizes<Point>::BasicFeatureSizes(BasicFeatureSizes&&) noexcept = default;
+template <class Point>
+BasicFeatureSizes<Point>& BasicFeatureSizes<Point>::operator=(BasicFeatureSizes&&) noexcept =
+    default;
 
-FeatureBall FeatureSizes::local(const Point2& x, int i) const {
-  using Item = Table::Item;
-  const Table& table = *table_;
-  const std::vector<Item>& items = table.items(i);
-  // Items so far: any two of them meet. Four or more that meet pairwise have a point in common
-  // (three may be a triangle), so that a next one need not be compared with all of them.
-  std::vector<std::uint32_t> nearer;
-  FeatureBall result;
-  result.center = x;
-  if (!Table::measurable(x)) return result;
+template <class Point>
+auto BasicFeatureSizes<Point>::local(const Point& x, int i) const -> Ball {
+  const FeatureTable<Point>& table = *table_;
+  const auto& items = table.items(i);
+  std::vector<std::uint32_t> nearer;  // items so far: any two of them meet
+  CommonPoints common;
+  Ball result = by_definition::none_at(x);
+  if (!table.measurable(x)) return result;
   table.tree(i).nearest(
       x, [&](std::uint32_t f) { return table.distance2(x, items[f]); },
       [&](std::uint32_t f, double d2) {
-        const Item& item = items[f];
-        if (nearer.size() >= 4) {
-          const Item &g = items[nearer[0]], &h = items[nearer[1]], &k = items[nearer[2]],
-                     &l = items[nearer[3]];
-          const auto has = [](const Item& it, std::uint32_t p) { return it.a == p || it.b == p; };
-          const std::uint32_t hub = has(h, g.a) && has(k, g.a) && has(l, g.a) ? g.a : g.b;
-          if (has(item, hub)) {
-            nearer.push_back(f);
-            return true;
+        if (common.add(table.points_of(items[f]))) {
+          for (const std::uint32_t g : nearer) {
+            if (!table.disjoint(items[f], items[g])) continue;
+            result = ball_at(table, x, items[g], items[f], d2);
+            return false;
           }
-        }
-        for (const std::uint32_t g : nearer) {
-          if (!Table::disjoint(item, items[g])) continue;
-          result = table.ball(x, items[g], item, d2);
-          return false;
         }
         nearer.push_back(f);
         return true;
@@ -46,13 +44,13 @@ FeatureBall FeatureSizes::local(const Point2& x, int i) const {
   return result;
 }
 
-FeatureBall FeatureSizes::mesh(const Point2& x, int i) const {
-  const Table& table = *table_;
-  const std::vector<Table::Item>& items = table.items(i);
+template <class Point>
+auto BasicFeatureSizes<Point>::mesh(const Point& x, int i) const -> Ball {
+  const FeatureTable<Point>& table = *table_;
+  const auto& items = table.items(i);
   std::uint32_t first = kNoIndex;
-  FeatureBall result;
-  result.center = x;
-  if (!Table::measurable(x)) return result;
+  Ball result = by_definition::none_at(x);
+  if (!table.measurable(x)) return result;
   table.tree(i).nearest(
       x, [&](std::uint32_t f) { return table.distance2(x, items[f]); },
       [&](std::uint32_t f, double d2) {
@@ -60,15 +58,35 @@ FeatureBall FeatureSizes::mesh(const Point2& x, int i) const {
           first = f;
           return true;
         }
-        result = table.ball(x, items[first], items[f], d2);
+        if (table.same(items[first], items[f])) return true;  // two triangles of one face
+        result = ball_at(table, x, items[first], items[f], d2);
         return false;
       });
   return result;
 }
 
-bool FeatureSizes::is_input_vertex(const Point2& x) const {
+template <class Point>
+auto BasicFeatureSizes<Point>::local(const std::vector<Point>& polyline, int i) const -> Ball {
+  return infimum(*this, *table_, true, polyline, i);
+}
+template <class Point>
+auto BasicFeatureSizes<Point>::mesh(const std::vector<Point>& polyline, int i) const -> Ball {
+  return infimum(*this, *table_, false, polyline, i);
+}
+template <class Point>
+auto BasicFeatureSizes<Point>::local(const Point& a, const Point& b, int i) const -> Ball {
+  return local({a, b}, i);
+}
+template <class Point>
+auto BasicFeatureSizes<Point>::mesh(const Point& a, const Point& b, int i) const -> Ball {
+  return mesh({a, b}, i);
+}
+
+template <class Point>
+bool BasicFeatureSizes<Point>::is_input_vertex(const Point& x) const {
+  using Box = typename FeatureTable<Point>::Box;
   bool found = false;
-  table_->vertex_tree.query([&](const Box2& box) { return box.meets(Box2::of(x)); },
+  table_->vertex_tree.query([&](const Box& box) { return box.meets(Box::of(x)); },
                             [&](std::uint32_t) {
                               found = true;
                               return false;
@@ -76,8 +94,77 @@ bool FeatureSizes::is_input_vertex(const Point2& x) const {
   return found;
 }
 
-FeatureBall FeatureSizes::of_subsegment(const Point2& a, const Point2& b, int i) const {
+template <class Point>
+auto BasicFeatureSizes<Point>::of_subsegment(const Point& a, const Point& b, int i) const -> Ball {
   return is_input_vertex(a) || is_input_vertex(b) ? local(a, b, i) : mesh(a, b, i);
 }
+
+namespace {
+
+template <class Point>
+BasicFeatureBall<Point> clear_ball(const FeatureTable<Point>& table, const Piece<Point>& piece,
+                                   std::uint32_t segment,
+                                   const typename FeatureTable<Point>::Item& other) {
+  const Approach nearest = table.approach(piece, other);
+  const Point x = piece.at(nearest.t);
+  BasicFeatureBall<Point> result = ball_at(table, x, other, other, nearest.distance2);
+  result.witness[0] = {Feature{FeatureKind::kSegment, segment}, x};
+  return result;
+}
+
+}  // namespace
+
+template <class Point>
+auto BasicFeatureSizes<Point>::clearance(const Point& a, const Point& b, std::uint32_t segment,
+                                         int i) const -> Ball {
+  const FeatureTable<Point>& table = *table_;
+  const auto& items = table.items(i);
+  const Piece<Point> piece{a, b};
+  Ball result = by_definition::none_at(a);
+  if (!table.measurable(a) || !table.measurable(b)) return result;
+  table.tree(i).nearest_by(
+      [&](const typename FeatureTable<Point>::Box& box) { return box_bound2(piece, box); },
+      [&](std::uint32_t f) { return table.approach(piece, items[f]).distance2; },
+      [&](std::uint32_t f, double) {
+        if (table.contains(items[f], segment)) return true;
+        result = clear_ball(table, piece, segment, items[f]);
+        return false;
+      });
+  return result;
+}
+
+template <class Point>
+auto BasicFeatureSizes<Point>::local_by_brute_force(const Point& x, int i) const -> Ball {
+  return by_definition::local(*table_, x, i);
+}
+template <class Point>
+auto BasicFeatureSizes<Point>::mesh_by_brute_force(const Point& x, int i) const -> Ball {
+  return by_definition::mesh(*table_, x, i);
+}
+template <class Point>
+auto BasicFeatureSizes<Point>::local_by_brute_force(const Point& a, const Point& b, int i) const
+    -> Ball {
+  return by_definition::of_piece(*table_, true, {a, b}, i);
+}
+template <class Point>
+auto BasicFeatureSizes<Point>::mesh_by_brute_force(const Point& a, const Point& b, int i) const
+    -> Ball {
+  return by_definition::of_piece(*table_, false, {a, b}, i);
+}
+template <class Point>
+auto BasicFeatureSizes<Point>::clearance_by_brute_force(const Point& a, const Point& b,
+                                                        std::uint32_t segment, int i) const
+    -> Ball {
+  Ball result = by_definition::none_at(a);
+  for (const auto& item : table_->items(i)) {
+    if (table_->contains(item, segment)) continue;
+    if (!(table_->approach({a, b}, item).distance2 < result.radius * result.radius)) continue;
+    result = clear_ball(*table_, {a, b}, segment, item);
+  }
+  return result;
+}
+
+template class BasicFeatureSizes<Point2>;
+template class BasicFeatureSizes<Point3>;
 
 }  // namespace circumball

@@ -1,12 +1,16 @@
 #include "feature_size/feature_table.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "complex/planar_sweep.h"
 
 namespace circumball {
 
-FeatureSizes::Table::Table(const Complex& complex, const Filter& filter) {
+using Table = FeatureTable<Point2>;
+
+Table::FeatureTable(const Complex& complex, const FeatureSizes::Filter& filter) {
   const PlanarView view(complex, {});
   points = view.points;
   std::vector<Box2> boxes;
@@ -27,40 +31,50 @@ FeatureSizes::Table::Table(const Complex& complex, const Filter& filter) {
   feature_tree = BoxTree(std::move(boxes));
 }
 
-double FeatureSizes::Table::distance2(const Point2& x, const Item& item) const {
+double Table::distance2(const Point2& x, const Item& item) const {
   const Point2 &a = points[item.a], &b = points[item.b];
-  const double ux = x.x - a.x, uy = x.y - a.y;
-  if (item.a == item.b) return ux * ux + uy * uy;
-  const double dx = b.x - a.x, dy = b.y - a.y;
-  const double along = ux * dx + uy * dy, length2 = dx * dx + dy * dy;
-  if (along <= 0) return ux * ux + uy * uy;
-  if (along >= length2) {
-    const double vx = x.x - b.x, vy = x.y - b.y;
-    return vx * vx + vy * vy;
-  }
-  const double cross = ux * dy - uy * dx;
+  const Point2 u = x - a;
+  if (item.a == item.b) return dot(u, u);
+  const Point2 d = b - a;
+  const double along = dot(u, d), length2 = dot(d, d);
+  if (along <= 0) return dot(u, u);
+  if (along >= length2) return dot(x - b, x - b);
+  const double cross = u.x * d.y - u.y * d.x;
   return cross * (cross / length2);
 }
 
-Point2 FeatureSizes::Table::nearest_point(const Point2& x, const Item& item) const {
+Point2 Table::nearest_point(const Point2& x, const Item& item) const {
   const Point2 &a = points[item.a], &b = points[item.b];
   if (item.a == item.b) return a;
-  const double dx = b.x - a.x, dy = b.y - a.y;
-  const double along = (x.x - a.x) * dx + (x.y - a.y) * dy, length2 = dx * dx + dy * dy;
+  const Point2 d = b - a;
+  const double along = dot(x - a, d), length2 = dot(d, d);
   if (along <= 0) return a;
   if (along >= length2) return b;
-  const double t = along / length2;
-  return {a.x + t * dx, a.y + t * dy};
+  return circumball::along(a, along / length2, d);
 }
 
-FeatureBall FeatureSizes::Table::ball(const Point2& x, const Item& nearer, const Item& farther,
-                                      double d2) const {
-  FeatureBall result;
-  result.radius = std::sqrt(d2);
-  result.center = x;
-  result.witness = {FeatureWitness{nearer.feature, nearest_point(x, nearer)},
-                    FeatureWitness{farther.feature, nearest_point(x, farther)}};
-  return result;
+Approach Table::approach(const Piece<Point2>& piece, const Item& item) const {
+  const Point2 &a = piece.a, &b = piece.b;
+  const Point2 d = b - a;
+  const double length2 = dot(d, d);
+  Approach best{0, distance2(a, item)};
+  const auto consider = [&](double t) {
+    if (!(t > 0)) return;  // the first candidate; or not a number, where the piece is a point
+    const double clamped = std::min(t, 1.0);
+    const double d2 = distance2(piece.at(clamped), item);
+    if (d2 < best.distance2) best = {clamped, d2};
+  };
+  // Least at an end of the piece, where an end of the item is projected, or where they cross.
+  consider(1);
+  const Point2 &p = points[item.a], &q = points[item.b];
+  consider(dot(p - a, d) / length2);
+  if (item.a == item.b) return best;
+  consider(dot(q - a, d) / length2);
+  const Point2 e = q - p;
+  const double from = (a.x - p.x) * e.y - (a.y - p.y) * e.x;
+  const double to = (b.x - p.x) * e.y - (b.y - p.y) * e.x;
+  if ((from < 0) != (to < 0)) consider(from / (from - to));
+  return best;
 }
 
 }  // namespace circumball
