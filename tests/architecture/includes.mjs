@@ -38,7 +38,7 @@ export const headers = {
   algorithms: ['types', 'predicates', 'complex', 'mesh', 'trace', 'refine', 'registry'],
   quality: ['types', 'predicates', 'complex', 'mesh', 'verify', 'feature_size'],
   fem: ['types', 'mesh', 'fem', 'fem_laboratory'],
-  io: ['types', 'complex', 'mesh', 'io'],
+  io: ['types', 'predicates', 'complex', 'mesh', 'io'], // whether triangles are coplanar is exact
   report: null, // every one
 };
 

@@ -321,9 +321,9 @@ TEST(Off, PlanarTrianglesAreAMeshAndLiesAboutCountsAreFound) {
 }
 
 TEST(UnknownFormat, IsSaidWhateverTheBytes) {
-  for (const std::string& text : {std::string("hello"), std::string("\x89PNG\r\n\x1a\n\0\0", 10),
-                                  std::string("ply\nformat ascii 1.0\n"), std::string("solid x\n"),
-                                  std::string("[1, 2]"), std::string(200, '\xff')})
+  for (const std::string& text :
+       {std::string("hello"), std::string("\x89PNG\r\n\x1a\n\0\0", 10), std::string("plywood\n"),
+        std::string("solidus x\n"), std::string("[1, 2]"), std::string(200, '\xff')})
     EXPECT_EQ(names(read(text, "a.poly")), "unknown-format");
   for (const char* text : {"", " \n\t ", "# nothing\n", "\xef\xbb\xbf"})
     EXPECT_EQ(names(read(text, "a.poly")), "empty");

@@ -109,8 +109,8 @@ TEST(TriangleFormat, ContentDecidesAndTheNameOnlySettlesTies) {
   const auto files = folder({{"a.node", nodes}});
   EXPECT_EQ(read("1 3 0\n1 1 2 3\n", "a.txt", files).format, "triangle-ele");
   EXPECT_EQ(read("1 3 0\n1 1 2 3\n", "a.ele", files).format, "triangle-ele");
-  EXPECT_EQ(names(read("1 3 0\n1 1 2 3\n", "a.node", files)), "unsupported");
-  EXPECT_EQ(names(read("1 3 0 0\n1 1 2 3\n", "a.txt", files)), "unsupported");
+  EXPECT_EQ(read("1 3 0\n1 1 2 3\n", "a.node", files).format, "tetgen-node");
+  EXPECT_EQ(read("1 3 0 0\n1 1 2 3\n", "a.txt", files).format, "tetgen-node");
 }
 
 TEST(TriangleEle, WithItsFamilyGivesMeshRegionsAndSubsegments) {
@@ -162,7 +162,7 @@ TEST(TriangleMalformed, EachFileHasItsNamedDefectWithLineAndAdvice) {
       {"1 2 1000000000 0\n1 0 0\n", "truncated", "line 1"},
       {"1 2 -1 0\n1 0 0\n", "syntax", "line 1"},
       {"1 2 0 7\n1 0 0\n", "syntax", "line 1"},
-      {"1 3 0 0\n1 0 0 0\n", "unsupported", "line 1"},
+      {"1 5 0 0\n1 0 0 0\n", "unsupported", "line 1"},
       {"1.5 2 0 0\n1 0 0\n", "syntax", "line 1"},
       {"1 2 0 0\n1 0 abc\n", "syntax", "line 2"},
       {"1 2 0 0\n1 0      \n", "syntax", "line 2"},

@@ -31,11 +31,21 @@ struct ReadResult {
   }
 };
 
+/// How surfaces of space (STL, OFF, OBJ, PLY) are read.
+struct ReadOptions {
+  /// Vertices at most this far apart become one, the first of them; 0: vertices with equal bits.
+  /// Not set: STL files by equal bits, the others as they are numbered.
+  std::optional<double> weld;
+  /// In a surface of triangles alone, neighbors that are exactly coplanar become one face.
+  bool merge_coplanar = true;
+};
+
 /// Indices out of range and coordinates that are not finite stay in the complex, for `check` to
 /// tell of with all else (see `check_numbers`); those of a mesh are defects here. Reads whatever it
 /// is: formats are told by content; `name` (a file name) only settles ties and finds siblings.
 /// Sizes in headers are checked against the bytes there are before memory is taken.
-ReadResult read(std::string_view bytes, const std::string& name, const Sibling& sibling = nullptr);
+ReadResult read(std::string_view bytes, const std::string& name, const Sibling& sibling = nullptr,
+                const ReadOptions& options = {});
 
 struct OutputFile {
   std::string extension;  ///< ".node"

@@ -40,12 +40,25 @@ std::string extension_of(const std::string& name);
 /// `token` in quotes for a message: cut after 32 bytes, and without unprintable bytes.
 std::string in_quotes(std::string_view token);
 
+/// Whether the exact predicates decide about `p`: coordinates zero or of magnitude 1e-45 to 1e55.
+bool in_exact_range(const Point3& p);
+/// Makes every tetrahedron of a mesh of space positive (orient3d): programs differ in this.
+void orient_cells(Mesh* mesh);
+
 // Readers. Each fills `result` (format, complex, mesh, defects).
 void read_triangle(std::string_view bytes, const std::string& name, const Sibling& sibling,
                    ReadResult& result);
+/// Whether numbers at the beginning of a file are TetGen's (space), not Triangle's (plane).
+bool is_tetgen(std::string_view bytes, const std::string& name, const Sibling& sibling);
+void read_tetgen(std::string_view bytes, const std::string& name, const Sibling& sibling,
+                 ReadResult& result);
 void read_json(std::string_view bytes, ReadResult& result);  ///< the project's own, and GeoJSON
-void read_obj(std::string_view bytes, ReadResult& result);
-void read_off(std::string_view bytes, ReadResult& result);
+void read_obj(std::string_view bytes, const ReadOptions& options, ReadResult& result);
+void read_off(std::string_view bytes, const ReadOptions& options, ReadResult& result);
+void read_ply(std::string_view bytes, const ReadOptions& options, ReadResult& result);
+/// Whether the bytes have the length that the count of a binary STL file says, or more.
+bool is_binary_stl(std::string_view bytes);
+void read_stl(std::string_view bytes, const ReadOptions& options, ReadResult& result);
 void read_svg(std::string_view bytes, ReadResult& result);
 
 // Writers of meshes.

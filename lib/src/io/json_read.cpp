@@ -3,6 +3,7 @@
 
 #include "io/geojson.h"
 #include "io/json_value.h"
+#include "io/segment_table.h"
 
 // The project's own JSON: docs/formats.md.
 namespace circumball::io {
@@ -230,6 +231,13 @@ bool read_mesh(const JsonValue& value, ReadResult& result) {
   return true;
 }
 
+bool segments_of_faces_exist(const Complex& complex) {
+  for (const Face& face : complex.faces)
+    for (const std::uint32_t s : face.segments)
+      if (s >= complex.segments.size()) return false;
+  return true;
+}
+
 void read_own(const JsonValue& document, ReadResult& result) {
   result.format = "json";
   Complex& complex = result.complex;
@@ -292,6 +300,8 @@ void read_own(const JsonValue& document, ReadResult& result) {
         !read_markers(m, "faces", complex.faces.size(), &complex.face_markers))
       return;
   }
+  // Where a face refers to a segment that is not listed nothing is added: `check` shall tell of it.
+  if (segments_of_faces_exist(complex)) add_sides(&complex);
   if (const Json* mesh = document.find("mesh")) {
     if (!read_mesh(document.member(*mesh, "mesh"), result)) return;
     drop_steiner_vertices(*result.mesh, &complex);

@@ -42,6 +42,7 @@ class Lines {
   }
 
   bool at_end_of_line() const { return rest_.empty(); }
+  std::size_t rest_of_line() const { return rest_.size(); }
   std::size_t number() const { return number_; }  ///< of the line, counted from 1
   /// Bytes after the current line: no header may promise more than they can hold.
   std::size_t remaining() const { return text_.size() - next_; }

@@ -48,7 +48,7 @@ bool read_index(Lines& lines, std::size_t so_far, std::size_t vertices, std::uin
 
 }  // namespace
 
-void read_obj(std::string_view bytes, ReadResult& result) {
+void read_obj(std::string_view bytes, const ReadOptions& options, ReadResult& result) {
   result.format = "obj";
   PolygonSoup soup;
   for (Lines lines(bytes); lines.next();)
@@ -85,7 +85,7 @@ void read_obj(std::string_view bytes, ReadResult& result) {
     fail(result, "empty", "the OBJ file has no vertices: add lines \"v x y 0\"");
     return;
   }
-  take_soup(std::move(soup), result);
+  take_soup(std::move(soup), options, result);
 }
 
 std::string write_obj_complex(const Complex& complex) {

@@ -7,7 +7,7 @@
 // coordinates.
 namespace circumball::io {
 
-void read_off(std::string_view bytes, ReadResult& result) {
+void read_off(std::string_view bytes, const ReadOptions& options, ReadResult& result) {
   result.format = "off";
   Lines lines(bytes);
   lines.next();
@@ -71,7 +71,7 @@ void read_off(std::string_view bytes, ReadResult& result) {
     }
     if (*corners > 2) soup.end_polygon();
   }
-  take_soup(std::move(soup), result);
+  take_soup(std::move(soup), options, result);
 }
 
 std::string write_off(const Mesh& mesh) {

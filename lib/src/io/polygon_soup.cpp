@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 
+#include "io/coplanar_faces.h"
 #include "io/formats.h"
+#include "io/segment_table.h"
 
 namespace circumball::io {
 namespace {
@@ -52,9 +54,36 @@ std::vector<Side> distinct(const std::vector<Side>& all, std::size_t vertices, b
   return out;
 }
 
+/// Polygons of space are faces.
+void take_faces(const PolygonSoup& soup, bool merge, ReadResult& result) {
+  Complex& complex = result.complex;
+  if (merge && soup.missing_corners.empty()) {
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    triangles.reserve(soup.polygon_count());
+    for (std::size_t i = 0; i + 2 < soup.corners.size(); i += 3)
+      triangles.push_back({soup.corners[i], soup.corners[i + 1], soup.corners[i + 2]});
+    add_merged_faces(triangles, &complex);
+    if (complex.faces.size() < triangles.size())
+      warn(result, "merged",
+           std::to_string(triangles.size()) + " triangles make " +
+               std::to_string(complex.faces.size()) +
+               " faces, since neighbors that are exactly coplanar are one face: see --no-merge to "
+               "keep each");
+    return;
+  }
+  for (std::size_t i = 0; i < soup.polygon_count(); ++i) {
+    Face face;
+    face.loops.emplace_back(soup.corners.begin() + soup.ends[i],
+                            soup.corners.begin() + soup.ends[i + 1]);
+    complex.faces.push_back(std::move(face));
+  }
+  add_sides(&complex);
+}
+
 }  // namespace
 
-void take_soup(PolygonSoup&& soup, ReadResult& result) {
+void take_soup(PolygonSoup&& soup, const ReadOptions& options, ReadResult& result) {
+  if (options.weld) weld(*options.weld, &soup, result);
   Complex& complex = result.complex;
   complex.hole_rule = HoleRule::kParity;
   // Not z != 0: a coordinate that is not a number must not make a complex of space.
@@ -77,15 +106,7 @@ void take_soup(PolygonSoup&& soup, ReadResult& result) {
       warn(result, "index-out-of-range", missing->front());
       break;
     }
-  if (!plane) {
-    for (std::size_t i = 0; i < soup.polygon_count(); ++i) {
-      Face face;
-      face.loops.emplace_back(soup.corners.begin() + soup.ends[i],
-                              soup.corners.begin() + soup.ends[i + 1]);
-      complex.faces.push_back(std::move(face));
-    }
-    return;
-  }
+  if (!plane) return take_faces(soup, triangles && options.merge_coplanar, result);
   for (Point3& p : complex.vertices) {
     if (p.z != 0) p.x = p.z;  // not a number: the plane has no other place to say so
     p.z = 0;

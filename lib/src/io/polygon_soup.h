@@ -23,12 +23,19 @@ struct PolygonSoup {
   void end_polygon() { ends.push_back(static_cast<std::uint32_t>(corners.size())); }
 };
 
+/// Makes one vertex of those that are at most `tolerance` apart (0: that have equal bits, but that
+/// -0 is 0): each becomes the first before it that is near enough. Corners that follow their own
+/// vertex and polygons with fewer than three corners left are dropped, with a warning. O(n log n)
+/// where no ball of that radius holds many vertices that stay.
+void weld(double tolerance, PolygonSoup* soup, ReadResult& result);
+
 /// Makes a complex, and where it can a mesh, of a soup. In the plane z = 0: triangles are the cells
 /// of a mesh, whose boundary is the complex where no lines are drawn; other polygons give their
-/// sides as segments. In space every polygon is a face. Indices out of range are a defect in the
-/// cells of a mesh, and elsewhere left for `check` to tell of; a warning names the line of the
-/// first.
-void take_soup(PolygonSoup&& soup, ReadResult& result);
+/// sides as segments. In space every polygon is a face, but that coplanar triangles are merged if
+/// all are triangles (see ReadOptions); sides of faces are segments. Indices out of range are a
+/// defect in the cells of a mesh, and elsewhere left for `check` to tell of; a warning names the
+/// line of the first.
+void take_soup(PolygonSoup&& soup, const ReadOptions& options, ReadResult& result);
 
 }  // namespace circumball::io
 

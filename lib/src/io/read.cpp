@@ -42,32 +42,36 @@ std::string in_quotes(std::string_view token) {
   return out + (token.size() > 32 ? "…\"" : "\"");
 }
 
+bool in_exact_range(const Point3& p) {
+  for (const double x : {p.x, p.y, p.z}) {
+    const double size = x < 0 ? -x : x;
+    if (!(size == 0 || (size >= 1e-45 && size <= 1e55))) return false;
+  }
+  return true;
+}
+
 namespace {
 
 bool is_white(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 
-/// Says no in the words of somebody who knows what it is, where we know.
-void refuse_unknown(std::string_view word, ReadResult& result) {
-  const std::string known =
-      "Triangle .poly, .node or .ele, OBJ, OFF, SVG, GeoJSON or the project's own JSON";
-  if (word == "ply" || word == "solid")
-    fail(result, "unknown-format",
-         "this is a " + std::string(word == "ply" ? "PLY" : "STL") +
-             " file of a surface in space, which cannot be read; give the plane as " + known);
-  else
-    fail(result, "unknown-format",
-         "the content is none of the formats that can be read: give " + known);
+void refuse_unknown(ReadResult& result) {
+  fail(result, "unknown-format",
+       "the content is none of the formats that can be read: give Triangle's or TetGen's .poly, "
+       ".smesh, .node or .ele, OBJ, OFF, PLY, STL, SVG, GeoJSON or the project's own JSON");
 }
 
 /// Finds out what the bytes are, and reads them.
 void read_any(std::string_view bytes, const std::string& name, const Sibling& sibling,
-              ReadResult& result) {
+              const ReadOptions& options, ReadResult& result) {
   if (bytes.size() > kMaxBytes) {
     fail(result, "too-large",
          "the file has " + std::to_string(bytes.size()) + " bytes, more than the " +
              std::to_string(kMaxBytes) + " that are read: split it");
     return;
   }
+  if (bytes.substr(0, 4) == "ply\n" || bytes.substr(0, 4) == "ply\r")
+    return read_ply(bytes, options, result);
+  if (is_binary_stl(bytes)) return read_stl(bytes, options, result);
   if (bytes.substr(0, 3) == "\xef\xbb\xbf") bytes.remove_prefix(3);  // byte order mark
   std::string_view body = bytes;
   while (!body.empty() && is_white(body.front())) body.remove_prefix(1);
@@ -75,7 +79,7 @@ void read_any(std::string_view bytes, const std::string& name, const Sibling& si
     fail(result, "empty", "the file is empty: write a complex into it");
     return;
   }
-  if (bytes.find('\0') != std::string_view::npos) return refuse_unknown("", result);  // binary
+  if (bytes.find('\0') != std::string_view::npos) return refuse_unknown(result);  // binary
   if (body.front() == '{') return read_json(bytes, result);
   if (body.front() == '<') return read_svg(bytes, result);
   Lines lines(bytes);
@@ -84,22 +88,26 @@ void read_any(std::string_view bytes, const std::string& name, const Sibling& si
     return;
   }
   const std::string_view first = lines.word();
-  if (number_length(first) == first.size()) return read_triangle(bytes, name, sibling, result);
-  if (first == "OFF") return read_off(bytes, result);
+  if (number_length(first) == first.size())
+    return is_tetgen(bytes, name, sibling) ? read_tetgen(bytes, name, sibling, result)
+                                           : read_triangle(bytes, name, sibling, result);
+  if (first == "OFF" || first == "COFF" || first == "NOFF") return read_off(bytes, options, result);
+  if (first == "solid") return read_stl(bytes, options, result);
   // The words that an OBJ file may start with (Wavefront Advanced Visualizer, appendix B1).
   static constexpr std::string_view kWords[] = {"v", "vt", "vn", "vp", "o",      "g",
                                                 "s", "l",  "f",  "p",  "mtllib", "usemtl"};
   if (std::find(std::begin(kWords), std::end(kWords), first) != std::end(kWords))
-    return read_obj(bytes, result);
-  refuse_unknown(first, result);
+    return read_obj(bytes, options, result);
+  refuse_unknown(result);
 }
 
 }  // namespace
 }  // namespace io
 
-ReadResult read(std::string_view bytes, const std::string& name, const Sibling& sibling) {
+ReadResult read(std::string_view bytes, const std::string& name, const Sibling& sibling,
+                const ReadOptions& options) {
   ReadResult result;
-  io::read_any(bytes, name, sibling, result);
+  io::read_any(bytes, name, sibling, options, result);
   if (!result.ok()) {  // half a complex may have indices that lead nowhere: nobody gets to see it
     result.complex = Complex();
     result.mesh.reset();
