@@ -1,41 +1,106 @@
 // The stages after the filter for the predicates of space.
+//
+// Coordinates come from somewhere: lattices and drawings have few bits, and points that are near
+// each other, but not near zero, have differences on a common grid of few bits, exact or not. So
+// orient3d and insphere look at the differences as integers: if they have so few bits that
+// determinants of doubles are exact, or fit 64 bits. Only what is left goes to expansions.
 
+#include <algorithm>
+#include <cmath>
+
+#include "predicates/double_bits.h"
 #include "predicates/expansion.h"
 #include "predicates/fast.h"
+#include "predicates/fixed_integer.h"
 
 namespace circumball::internal {
 namespace {
 
-/// The vector from `from` to `to`, exactly.
-struct Difference3 {
-  Expansion<2> x, y, z;
-  Difference3(const Point3& to, const Point3& from)
-      : x(difference(to.x, from.x)), y(difference(to.y, from.y)), z(difference(to.z, from.z)) {}
-  bool exact() const { return x.size < 2 && y.size < 2 && z.size < 2; }
+/// `Count` vectors from a common point to others, exactly.
+template <int Count>
+struct Differences {
+  double high[3 * Count], low[3 * Count];  // x, y, z of each
+  double size = 0;                         // the largest magnitude of `high`
+  bool single = true;                      // no `low`
+
+  Differences(const Point3* const (&to)[Count], const Point3& from) {
+    for (int i = 0; i < Count; ++i) {
+      set(3 * i, to[i]->x, from.x);
+      set(3 * i + 1, to[i]->y, from.y);
+      set(3 * i + 2, to[i]->z, from.z);
+    }
+  }
+
+  /// 2^bits over the smallest power of two that is above `size`: it scales all to below 2^bits.
+  /// Sizes are at least 2^-202, unless zero, and at most 2^185 (predicates/fast.h).
+  double scale(int bits) const {
+    const std::uint64_t exponent = to_bits(size) >> 52;
+    return from_bits((2 * 1023 + static_cast<std::uint64_t>(bits) - 1 - exponent) << 52);
+  }
+
+  /// Whether all are multiples of 2^-bits times that power of two; if so, as such multiples.
+  bool as_integers(int bits, double (&out)[3 * Count]) const {
+    constexpr double kRound = 0x1.8p52;  // sums with it are integers
+    if (!single) return false;
+    const double s = scale(bits);
+    bool fits = true;
+    for (int i = 0; i < 3 * Count; ++i) {
+      out[i] = high[i] * s;
+      fits = fits && (out[i] + kRound) - kRound == out[i];
+    }
+    return fits;
+  }
+
+  /// The same with 62 bits (and a last place more, by rounding: magnitudes are at most 2^62).
+  bool as_integers(FixedInteger<1> (&out)[3 * Count]) const {
+    const double s = scale(62);
+    bool fits = true;
+    for (int i = 0; i < 3 * Count; ++i) {
+      const double h = high[i] * s, l = low[i] * s;
+      const std::int64_t ih = static_cast<std::int64_t>(h), il = static_cast<std::int64_t>(l);
+      fits = fits && static_cast<double>(ih) == h && static_cast<double>(il) == l;
+      out[i] = fixed_integer(ih + il);
+    }
+    return fits;
+  }
+
+ private:
+  void set(int i, double to, double from) {
+    const TwoDoubles d = two_difference(to, from);
+    high[i] = d.high;
+    low[i] = d.low;
+    size = std::max(size, std::fabs(d.high));
+    single = single && d.low == 0;
+  }
 };
 
-void count(Predicate p, bool differences_were_exact) {
+void count(Predicate p, bool by_integers) {
   StageCounters& c = counters_of(p);
-  (differences_were_exact ? c.adaptive : c.exact).add_one();
+  (by_integers ? c.adaptive : c.exact).add_one();
 }
 
-/// A single double: the difference is known to be exact.
-Expansion<1> single(const Expansion<2>& e) { return expansion(e.sign()); }
+/// The determinant of three rows x, y, z.
+template <class Number>
+auto determinant3(const Number (&d)[9]) {
+  return (d[2] * (d[3] * d[7] - d[6] * d[4]) + d[5] * (d[6] * d[1] - d[0] * d[7])) +
+         d[8] * (d[0] * d[4] - d[3] * d[1]);
+}
 
-double insphere_of_exact_differences(const Difference3& a, const Difference3& b,
-                                     const Difference3& c, const Difference3& d) {
-  const Expansion<1> x[] = {single(a.x), single(b.x), single(c.x), single(d.x)};
-  const Expansion<1> y[] = {single(a.y), single(b.y), single(c.y), single(d.y)};
-  const Expansion<1> z[] = {single(a.z), single(b.z), single(c.z), single(d.z)};
-  const auto minor2 = [&](int i, int j) { return x[i] * y[j] - x[j] * y[i]; };
-  const auto minor3 = [&](int i, int j, int k) {
-    return (z[i] * minor2(j, k) - z[j] * minor2(i, k)) + z[k] * minor2(i, j);
+/// The determinant of four rows x, y, z, x^2 + y^2 + z^2, of the sign of insphere.
+template <class Number>
+auto determinant4(const Number (&d)[12]) {
+  const auto minor2 = [&](int i, int j) {
+    return d[3 * i] * d[3 * j + 1] - d[3 * j] * d[3 * i + 1];
   };
-  const auto term = [&](int l, int i, int j, int k) {
-    return (square(x[l]) + square(y[l]) + square(z[l])) * minor3(i, j, k);
+  const auto ab = minor2(0, 1), bc = minor2(1, 2), cd = minor2(2, 3);
+  const auto da = minor2(3, 0), ac = minor2(0, 2), bd = minor2(1, 3);
+  const auto &az = d[2], &bz = d[5], &cz = d[8], &dz = d[11];
+  const auto abc = (az * bc - bz * ac) + cz * ab, bcd = (bz * cd - cz * bd) + dz * bc;
+  const auto cda = (cz * da + dz * ac) + az * cd, dab = (dz * ab + az * bd) + bz * da;
+  const auto lift = [&](int i) {
+    return (d[3 * i] * d[3 * i] + d[3 * i + 1] * d[3 * i + 1]) + d[3 * i + 2] * d[3 * i + 2];
   };
-  // Expansion along the column of squared lengths.
-  return ((term(3, 0, 1, 2) - term(2, 0, 1, 3)) + (term(1, 0, 2, 3) - term(0, 1, 2, 3))).sign();
+  return (lift(3) * abc - lift(2) * dab) + (lift(1) * cda - lift(0) * bcd);
 }
 
 /// Without differences, so that the stack stays small: differences of two components each would
@@ -72,27 +137,48 @@ double insphere_of_coordinates(const Point3* const (&p)[5]) {
 
 }  // namespace
 
+// Integers below 2^16 in magnitude: the six products of the determinant are below 2^48, and their
+// sum below 2^51. At most 2^62: minors of two rows 2^125, products with the third 2^187, and their
+// sum 2^189.
 double orient3d_exact(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
-  const Difference3 u(a, d), v(b, d), w(c, d);
-  count(Predicate::kOrient3d, u.exact() && v.exact() && w.exact());
-  return (u.z * (v.x * w.y - w.x * v.y) + v.z * (w.x * u.y - u.x * w.y) +
-          w.z * (u.x * v.y - v.x * u.y))
-      .sign();
+  const Differences<3> v({&a, &b, &c}, d);
+  if (v.size == 0) return 0;
+  double small[9];
+  FixedInteger<1> integers[9];
+  const bool is_small = v.as_integers(16, small), by_integers = is_small || v.as_integers(integers);
+  count(Predicate::kOrient3d, by_integers);
+  if (is_small) return determinant3(small);
+  if (by_integers) return determinant3(integers).sign();
+  const auto at = [&](int i) { return expansion(TwoDoubles{v.high[i], v.low[i]}); };
+  const Expansion<2> e[9] = {at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7), at(8)};
+  return determinant3(e).sign();
 }
 
+// Integers below 2^9: 4 * 3 * 6 = 72 monomials below 2^45, so sums below 2^52. At most 2^62: minors
+// of three rows 2^189, squared lengths 2^126, their four products 2^315, and the sum 2^317.
 double insphere_exact(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
                       const Point3& e) {
-  const Difference3 ae(a, e), be(b, e), ce(c, e), de(d, e);
-  const bool exact = ae.exact() && be.exact() && ce.exact() && de.exact();
-  count(Predicate::kInsphere, exact);
-  if (exact) return insphere_of_exact_differences(ae, be, ce, de);
+  const Differences<4> v({&a, &b, &c, &d}, e);
+  if (v.size == 0) return 0;
+  double small[12];
+  FixedInteger<1> integers[12];
+  const bool is_small = v.as_integers(9, small), by_integers = is_small || v.as_integers(integers);
+  count(Predicate::kInsphere, by_integers);
+  if (is_small) return determinant4(small);
+  if (by_integers) return determinant4(integers).sign();
   return insphere_of_coordinates({&a, &b, &c, &d, &e});
 }
 
 double segment_ball3_exact(const Point3& a, const Point3& b, const Point3& p) {
-  const Difference3 u(a, p), v(p, b);
-  count(Predicate::kSegmentBall3, u.exact() && v.exact());
-  return (u.x * v.x + u.y * v.y + u.z * v.z).sign();
+  const auto dot = [](const Expansion<2>(&u)[3], const Expansion<2>(&v)[3]) {
+    return (u[0] * v[0] + u[1] * v[1] + u[2] * v[2]).sign();
+  };
+  const Expansion<2> u[3] = {difference(a.x, p.x), difference(a.y, p.y), difference(a.z, p.z)};
+  const Expansion<2> v[3] = {difference(p.x, b.x), difference(p.y, b.y), difference(p.z, b.z)};
+  bool exact = true;
+  for (int i = 0; i < 3; ++i) exact = exact && u[i].size < 2 && v[i].size < 2;
+  count(Predicate::kSegmentBall3, exact);
+  return dot(u, v);
 }
 
 }  // namespace circumball::internal
