@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
+#include <boost/multiprecision/rational_adaptor.hpp>
 #include <cstdint>
 #include <vector>
 
@@ -14,7 +15,11 @@ namespace {
 
 using testing::Random;
 using Meeting = SpaceContacts::Meeting;
-using Rational = boost::multiprecision::cpp_rational;
+/// Of fixed width, as numbers are small: coordinates are below 4.
+using Integer =
+    boost::multiprecision::cpp_int_backend<1024, 1024, boost::multiprecision::signed_magnitude,
+                                           boost::multiprecision::unchecked, void>;
+using Rational = boost::multiprecision::number<boost::multiprecision::rational_adaptor<Integer>>;
 using Vector = std::vector<Rational>;  // of 3
 using Simplex = std::vector<std::uint32_t>;
 

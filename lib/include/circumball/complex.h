@@ -62,13 +62,26 @@ struct Complex {
 /// Everything that is wrong with a complex, and warnings; all of it, not the first. Empty for a
 /// valid complex.
 ///
-/// Defects (2D): "not-finite", "magnitude" (outside 0 or 1e-45 … 1e55), "index-out-of-range",
-/// "zero-length-segment", "duplicate-vertices" (equal bits), "duplicate-segments" (warning; the
-/// second is ignored), "vertex-on-segment", "segments-cross", "segments-overlap",
-/// "too-few-vertices", "hole-outside" and "region-outside" (warnings), "near-duplicate-vertices"
-/// (warning: closer than 1e-9 of the diameter). Exact: crossing, containment and overlap are
-/// decided with exact predicates. O((n + k) log n) on ordinary input. At most `max_defects` of each
-/// name are listed; a last one then counts the rest.
+/// In both dimensions: "not-finite", "magnitude" (outside 0 or 1e-45 … 1e55),
+/// "index-out-of-range", "too-few-vertices", "duplicate-vertices" (equal bits),
+/// "near-duplicate-vertices" (warning: closer than 1e-9 of the diameter), "zero-length-segment",
+/// "duplicate-segments" (warning; the second is ignored), "vertex-on-segment", "segments-cross",
+/// "segments-overlap", "hole-outside" and "region-outside" (warnings).
+///
+/// In space, faces by themselves: "degenerate-face" (fewer than three distinct vertices in a loop,
+/// collinear, no area, nothing left of it), "loop-touches-itself", "non-planar-face" (a vertex
+/// farther from the face's plane than 1e-9 of its size; the only tolerance), "side-without-segment"
+/// (every side of a loop is to be listed as a segment of the complex), "segment-not-in-face" and
+/// "vertex-not-in-face" (listed, but outside), "face-hole-outside" (warning). And what meets
+/// outside of shared features: "vertex-in-face", "segment-in-face" (not listed there),
+/// "segment-crosses-face", "faces-cross", "faces-overlap", "duplicate-faces".
+///
+/// Exact: a complex has none of these exactly if the relative interiors of its features (vertices,
+/// segments, faces less what they list) are disjoint. Members of a face, its vertices by number,
+/// lie in its plane as far as planarity asks, and what is between them is decided in the face's
+/// projection onto a coordinate plane, as if it were planar; to everything else a face is the
+/// surface of its own triangles (see triangulate_face). O((n + k) log n) on ordinary input. At most
+/// `max_defects` of each name are listed; a last one then counts the rest.
 std::vector<Defect> check(const Complex& complex, std::size_t max_defects = 1000);
 
 /// Of those defects the ones that readers leave in a complex although nothing can be made of it:

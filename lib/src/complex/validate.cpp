@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "complex/validate_defects.h"
+#include "complex/validate_space.h"
 
 namespace circumball {
 
@@ -10,16 +11,19 @@ std::vector<Defect> check(const Complex& complex, std::size_t max_defects) {
   check_vertices(complex, max, &defects);
   check_seed_coordinates(complex, max, &defects);
 
-  std::vector<Point2> seeds;
-  if (complex.dimension == 2) {
-    for (const Point3& p : complex.holes) seeds.push_back(xy(p));
-    for (const Region& r : complex.regions) seeds.push_back(xy(r.at));
+  if (complex.dimension == 3) {
+    const SpaceView view(complex);
+    check_segments(complex, view.duplicate_segments, max, &defects);
+    SpaceMeetings meetings;
+    const std::vector<FaceSurface> surfaces = check_faces(complex, view, max, &meetings, &defects);
+    check_contacts(complex, view, surfaces, max, &meetings, &defects);
+    return defects;
   }
-  // In space the view is of the projection, in which nothing may be concluded: only its own
-  // segments' ends are used.
-  const PlanarView view(complex.dimension == 2 ? complex : Complex{}, seeds);
-  check_segments(complex, view, max, &defects);
-  if (complex.dimension != 2) return defects;
+  std::vector<Point2> seeds;
+  for (const Point3& p : complex.holes) seeds.push_back(xy(p));
+  for (const Region& r : complex.regions) seeds.push_back(xy(r.at));
+  const PlanarView view(complex, seeds);
+  check_segments(complex, view.duplicate_segments, max, &defects);
 
   const SweepResult swept = sweep(view);
   check_crossings(view, swept, max, &defects);

@@ -44,8 +44,9 @@ std::string point_text(const Point3& p, int dimension = 2);
 
 /// "magnitude", "duplicate-vertices", "near-duplicate-vertices", "too-few-vertices".
 void check_vertices(const Complex& complex, std::size_t max, std::vector<Defect>* defects);
-/// "zero-length-segment", and "duplicate-segments" where the view has them.
-void check_segments(const Complex& complex, const PlanarView& view, std::size_t max,
+/// "zero-length-segment", and "duplicate-segments": pairs (duplicate, first with the same ends).
+void check_segments(const Complex& complex,
+                    const std::vector<std::array<std::uint32_t, 2>>& duplicates, std::size_t max,
                     std::vector<Defect>* defects);
 /// "vertex-on-segment", "segments-cross", "segments-overlap": of the suspects of a sweep.
 void check_crossings(const PlanarView& view, const SweepResult& swept, std::size_t max,

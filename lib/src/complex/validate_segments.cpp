@@ -4,7 +4,8 @@
 
 namespace circumball {
 
-void check_segments(const Complex& complex, const PlanarView& view, std::size_t max,
+void check_segments(const Complex& complex,
+                    const std::vector<std::array<std::uint32_t, 2>>& duplicates, std::size_t max,
                     std::vector<Defect>* defects) {
   const std::size_t n = complex.vertices.size();
   DefectList zero("zero-length-segment", false, max);
@@ -21,13 +22,13 @@ void check_segments(const Complex& complex, const PlanarView& view, std::size_t 
   zero.append_to(defects);
 
   DefectList duplicate("duplicate-segments", true, max);
-  for (const auto& pair : view.duplicate_segments) {
+  for (const auto& pair : duplicates) {
     const auto& s = complex.segments[pair[1]];
     const Point3 &a = complex.vertices[s[0]], &b = complex.vertices[s[1]];
     duplicate.add({{FeatureKind::kSegment, pair[1]}, {FeatureKind::kSegment, pair[0]}}, {a, b},
                   "segments " + std::to_string(pair[1]) + " and " + std::to_string(pair[0]) +
-                      " both join " + point_text(a) + " and " + point_text(b) +
-                      ": the second is ignored; remove it");
+                      " both join " + point_text(a, complex.dimension) + " and " +
+                      point_text(b, complex.dimension) + ": the second is ignored; remove it");
   }
   duplicate.append_to(defects, true);
 }
