@@ -38,7 +38,7 @@ std::size_t Delaunay3::bytes() const {
          died_.capacity() * sizeof(Cell) +
          (cell_of_.capacity() + free_.capacity() + line_.capacity() + cavity_.capacity() +
           boundary_.capacity() + born_.capacity() + keys_.capacity() + table_.capacity() +
-          local_.capacity() + star_.capacity() + neighbors_.capacity()) *
+          local_.capacity() + star_.capacity() + other_star_.capacity() + neighbors_.capacity()) *
              sizeof(std::uint32_t);
 }
 
@@ -60,6 +60,38 @@ void Delaunay3::cells_at(VertexId v, std::vector<CellSlot>* out) const {
     }
   }
   for (const CellSlot c : *out) mark_[c] = 0;
+}
+
+// Both stars grow by turns, each with a mark of its own.
+VertexId Delaunay3::of_lesser_degree(VertexId a, VertexId b) const {
+  const VertexId ends[2] = {a, b};
+  std::vector<CellSlot>* const stars[2] = {&star_, &other_star_};
+  if (cell_of(a) == kNone || cell_of(b) == kNone) return a;
+  for (int s = 0; s < 2; ++s) {
+    const CellSlot first = cell_of(ends[s]);
+    stars[s]->assign(1, first);
+    mark_[first] |= 1 << s;
+  }
+  VertexId lesser = a;
+  for (std::size_t k = 0;; ++k) {
+    if (k == star_.size()) break;
+    if (k == other_star_.size()) {
+      lesser = b;
+      break;
+    }
+    for (int s = 0; s < 2; ++s) {
+      const Links& at = links_[(*stars[s])[k]];
+      for (std::uint32_t i = 0; i < 4; ++i) {
+        const CellSlot next = at.n[i] >> 2;
+        if (at.v[i] == ends[s] || mark_[next] & 1 << s) continue;
+        mark_[next] |= 1 << s;
+        stars[s]->push_back(next);
+      }
+    }
+  }
+  for (const std::vector<CellSlot>* star : stars)
+    for (const CellSlot c : *star) mark_[c] = 0;
+  return lesser;
 }
 
 void Delaunay3::neighbors(VertexId v, std::vector<VertexId>* out) const {

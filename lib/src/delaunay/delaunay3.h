@@ -125,7 +125,9 @@ class Delaunay3 {
     for (const VertexId u : neighbors_)
       if (!f(u)) return;
   }
-  /// Both must be inserted.
+  /// The one at fewer cells; a if it does not matter, or below dimension 2. O(the lesser number).
+  VertexId of_lesser_degree(VertexId a, VertexId b) const;
+  /// Both must be inserted. In dimension 3 a walk around a, otherwise O(the degree of a).
   bool has_edge(VertexId a, VertexId b) const;
   /// A facet with these corners, which must be inserted; kNone if there is none. In dimension 2, of
   /// a ghost.
@@ -296,7 +298,7 @@ class Delaunay3 {
   std::vector<VertexId> local_;
   // Scratch of queries. Marks are zero between calls.
   mutable std::vector<std::uint8_t> mark_, vertex_mark_;
-  mutable std::vector<CellSlot> star_;
+  mutable std::vector<CellSlot> star_, other_star_;
   mutable std::vector<VertexId> neighbors_;
 };
 
