@@ -103,10 +103,14 @@ double smallest_angle_degrees(const Complex& complex);
 std::vector<std::array<std::uint32_t, 3>> triangulate_face(const Complex& complex,
                                                            std::uint32_t face);
 
-/// The complex with a square box of four segments around it (2D), `scale` times the larger extent
-/// of the input and centered on it; its vertices and segments come last. The domain `box` is this,
-/// with scale 3.
+/// The complex with a box around it, `scale` times the larger extent of the input and centered on
+/// it: a square of four segments in the plane; a cube of 8 vertices, 12 segments and 6 faces in
+/// space. Its vertices, segments and faces come last. The domain `box` is this, with scale 3.
 Complex with_box(const Complex& complex, double scale);
+
+/// The complex with a segment for every side of a loop of a face that has none; these come last, in
+/// the order of faces and loops. Readers and runs see to it. Indices must be in range. O(n log n).
+Complex with_sides(const Complex& complex);
 
 }  // namespace circumball
 

@@ -95,6 +95,8 @@ class Run {
  private:
   Run();
   struct Impl;
+  template <class World>
+  struct ImplOf;
   std::unique_ptr<Impl> impl_;
 };
 

@@ -26,8 +26,11 @@ enum class EventKind : std::uint8_t {
   kInserted =
       6,  ///< vertex `subject` inserted at `at`, splitting `simplex` (popped): died[other[0]],
           ///< born[other[1]] follow in the simplex stream; `value` is the insertion radius
-  kRelabeled = 7,  ///< triangles got a new domain label: as kInserted, but without a vertex
-  kLimit = 8,      ///< a limit stopped the run: `reason`
+  kRelabeled = 7,    ///< triangles got a new domain label: as kInserted, but without a vertex
+  kLimit = 8,        ///< a limit stopped the run: `reason`
+  kFaceChanged = 9,  ///< in space, after the insertion that it belongs to (or at the end of step
+                     ///< 0): died[other[0]], born[other[1]] triangles of the refinement of face
+                     ///< `subject` follow in the simplex stream
 };
 
 /// Why: one list for all kinds of events.
@@ -43,6 +46,13 @@ enum class Reason : std::uint8_t {
   kYieldedTo = 7,   ///< a circumcentre yielded to it
   kReturned = 8,    ///< its circumcentre yielded: it waits for that split at the head of the queue
   kWitness = 9,     ///< `subject` lies in its diametral disk and is a 1-feature size witness for it
+  kNearWitness = 10,       ///< a Delaunay neighbor `subject` of an end of it, or of its spindle, is
+                           ///< nearer than its length, and a 1-feature size witness for it (4.2);
+                           ///< `value` = that distance
+  kNearLocalWitness = 11,  ///< the same, a local feature size witness (4.3)
+  kNearVertex =
+      12,  ///< a vertex of this triangle of a face has a Delaunay neighbor `subject` outside
+           ///< of the face, nearer than its circumdiameter (4.3); `value` = that distance
   // where a vertex was inserted
   kInput = 16,         ///< an input vertex (step 0)
   kBox = 17,           ///< a corner of the box
@@ -55,14 +65,18 @@ enum class Reason : std::uint8_t {
   kArcMidpoint = 24,   ///< midpoint of an arc of such a circle
   kEqualLength = 25,   ///< on a segment, so that adjacent segments get pieces of equal lengths
   kShell = 26,         ///< on a segment, on a concentric shell about its input vertex
+  kThird = 27,         ///< on a segment, a third of N(q0) from its input vertex q0 (4.1, step 1a)
   // why a simplex was refused
   kOutsideDomain = 32,  ///< its circumcentre lies outside what is meshed
   kProtected = 33,      ///< only protected simplices are in the way
   kMinEdge = 34,        ///< it would make an edge shorter than --min-edge
-  kPrecision = 35,  ///< the new vertex would coincide with another one, or leave its segment, in
-                    ///< double precision
-  kFrozen = 36,     ///< it would yield to a subsegment that was refused itself
-  kSeditious = 37,  ///< its shortest edge joins two segments of a small angle, on one shell
+  kPrecision = 35,    ///< the new vertex would coincide with another one, or leave its segment, in
+                      ///< double precision
+  kFrozen = 36,       ///< it would yield to a subsegment that was refused itself
+  kSeditious = 37,    ///< its shortest edge joins two segments of a small angle, on one shell
+  kOutsideFace = 38,  ///< its circumcenter lies outside of its face
+  kNearSegment = 39,  ///< its circumcenter would have an end of a segment of its face for a
+                      ///< Delaunay neighbor, nearer than that segment is long
   // why a simplex was dropped
   kDied = 48,
   kAcceptable = 49,
@@ -84,7 +98,8 @@ struct Event {
   std::uint32_t simplex[4] = {
       kNoIndex, kNoIndex, kNoIndex,
       kNoIndex};  ///< vertices; a subsegment has its input segment in simplex[3]; an arc (kNoIndex
-                  ///< there) the center of its circle, an input vertex, in simplex[2]
+                  ///< there) the center of its circle, an input vertex, in simplex[2]; in space a
+                  ///< triangle of a face has the face in simplex[3]
   std::uint32_t subject = kNoIndex;
   std::uint32_t other[2] = {kNoIndex, kNoIndex};
   double at[3] = {0, 0, 0};
@@ -98,7 +113,9 @@ class TraceSink {
   virtual ~TraceSink() = default;
   /// One event. For kInserted and kRelabeled, `simplices` holds the dead, then the born: (dimension
   /// + 2) numbers each, the vertices (counter-clockwise) and the domain label (0 unknown, 1 inside,
-  /// 2 outside). Simplices at infinity are left out.
+  /// 2 outside). Simplices at infinity are left out. For kFaceChanged, triangles: three vertices,
+  /// counter-clockwise about the normal of the face, kNoIndex, and 4 * face + label (1 inside of
+  /// the polygon, 2 outside of it).
   virtual void event(const Event& event, const std::uint32_t* simplices, std::size_t count) = 0;
 };
 
@@ -138,12 +155,15 @@ class Replay {
   /// The live cells, (dimension + 2) numbers each as recorded (vertices, domain label), sorted by
   /// their vertices.
   std::vector<std::uint32_t> cells() const;
+  /// In space, the live triangles of the refinements of faces, as recorded, by face and vertices.
+  std::vector<std::uint32_t> face_triangles() const;
   /// The vertices inserted so far, by number.
   const std::map<std::uint32_t, Point3>& vertices() const { return vertices_; }
 
  private:
   struct State;
-  void exchange(std::size_t out_at, std::size_t out, std::size_t in_at, std::size_t in);
+  void exchange(const Event& event, std::size_t out_at, std::size_t out, std::size_t in_at,
+                std::size_t in);
   const Trace* trace_;
   std::unique_ptr<State> state_;
   std::size_t position_ = 0;

@@ -30,7 +30,7 @@ struct Collar : Ruppert {
   /// Safety, again: a circumcenter that encroaches upon a collar simplex is refused.
   Proposal action(View& view, TriangleRef t) const {
     const Proposal proposal = Ruppert::action(view, t);
-    if (proposal.kind == Proposal::kYield && view.encroaches_upon_collar()) {
+    if (proposal.kind == ProposalKind::kYield && view.encroaches_upon_collar()) {
       return refuse(proposal.at, Reason::kProtected);
     }
     return proposal;

@@ -39,7 +39,7 @@ struct Intestine : Ruppert {
   /// (docs/algorithms.md) where the circle is whole; where a sector has no arc, it is refused.
   Proposal action(View& view, TriangleRef t) const {
     const Proposal proposal = Ruppert::action(view, t);
-    if (proposal.kind == Proposal::kYield && view.encroaches_upon_collar_only()) {
+    if (proposal.kind == ProposalKind::kYield && view.encroaches_upon_collar_only()) {
       return refuse(proposal.at, Reason::kProtected);
     }
     return proposal;

@@ -2,6 +2,9 @@
 
 #include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <utility>
+
+#include "algorithms/registry3.h"
 
 namespace circumball {
 namespace {
@@ -204,7 +207,10 @@ std::vector<AlgorithmInfo> make_registry() {
                      "size",     "sizing",   "sizing-lower",   "grading"};
   fem_size.default_domain = "closed";
 
-  return {delaunay, ruppert, chew, feature_size, collar, intestine, terminator, fem_size};
+  std::vector<AlgorithmInfo> all = {delaunay, ruppert,   chew,       feature_size,
+                                    collar,   intestine, terminator, fem_size};
+  for (AlgorithmInfo& info : algorithms_in_space()) all.push_back(std::move(info));
+  return all;
 }
 
 /// Numbers as numbers, all else as text.
@@ -233,6 +239,7 @@ std::string default_algorithm(const Complex& complex) {
   // Below 60 degrees nothing is proved of Ruppert's algorithm; a protection comes first where there
   // is one.
   const char* protection = "collar";
+  if (complex.dimension == 3 && find_algorithm(protection, 3) == nullptr) return "feature-size";
   if (complex.dimension == 2 && (smallest_angle_degrees(complex) >= 60 ||
                                  find_algorithm(protection, complex.dimension) == nullptr)) {
     return "ruppert";

@@ -1,171 +1,15 @@
 #include "circumball/refine.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <utility>
 
 #include "algorithms/plan.h"
-#include "algorithms/sweeps.h"
-#include "circumball/registry.h"
+#include "algorithms/settings.h"
 #include "complex/export2.h"
-#include "delaunay/constructions.h"
-#include "predicates/elementary.h"
-#include "refinement/stage.h"
-#include "sizing/sizing.h"
+#include "complex/export3.h"
 
 namespace circumball {
 namespace {
-
-/// A finite number that is all of the text.
-bool parse_number(const std::string& text, double* value) {
-  char* end = nullptr;
-  *value = std::strtod(text.c_str(), &end);
-  return !text.empty() && *end == '\0' && std::isfinite(*value);
-}
-
-/// A sizing function that is not a plain number: it must be positive at the input vertices, at
-/// least.
-std::string settle_sizing(const Complex& complex, const std::string& text, Settings* settings) {
-  auto sizing = std::make_shared<Sizing>();
-  std::string error;
-  if (!Sizing::parse(text, sizing.get(), &error)) return "size: " + error;
-  for (const Point3& p : complex.vertices) {
-    const double h = sizing->at(p.x, p.y, p.z);
-    if (!(h > 0) || std::isinf(h)) {
-      return "size: '" + text + "' is not positive and finite at the input vertex (" +
-             std::to_string(p.x) + ", " + std::to_string(p.y) + ")";
-    }
-  }
-  settings->sizing = sizing;
-  return "";
-}
-
-/// Of the bounding box of the vertices.
-double diameter(const Complex& complex) {
-  if (complex.vertices.empty()) return 0;
-  Point3 low = complex.vertices[0], high = low;
-  for (const Point3& p : complex.vertices) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), 0};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), 0};
-  }
-  return distance(xy(low), xy(high));
-}
-
-/// Whether the box lies strictly around the input, in the range of coordinates.
-bool box_fits(const Complex& complex, double scale) {
-  const Complex boxed = with_box(complex, scale);
-  const Point3 &low = *(boxed.vertices.end() - 4), &high = *(boxed.vertices.end() - 2);
-  for (const Point3& p : complex.vertices) {
-    if (!(low.x < p.x && p.x < high.x && low.y < p.y && p.y < high.y)) return false;
-  }
-  return low.x >= -1e55 && low.y >= -1e55 && high.x <= 1e55 && high.y <= 1e55;
-}
-
-/// Fills in the defaults and checks the ranges of the registry. An empty answer, or what is wrong.
-std::string settle(const Complex& complex, Options* options, Settings* settings) {
-  if (options->algorithm.empty()) options->algorithm = default_algorithm(complex);
-  const AlgorithmInfo* info = find_algorithm(options->algorithm, complex.dimension);
-  if (!info) {
-    return "there is no algorithm '" + options->algorithm + "' for dimension " +
-           std::to_string(complex.dimension) + "; `circumball list` names them";
-  }
-  // The options with names of their own are parameters of the registry like all others.
-  auto& values = options->parameters;
-  if (!options->size.empty()) values["size"] = options->size;
-  for (const auto& [name, text] : values) {
-    const auto known = std::find_if(info->parameters.begin(), info->parameters.end(),
-                                    [&n = name](const ParameterInfo& p) { return p.name == n; });
-    if (known == info->parameters.end()) {
-      return "algorithm '" + info->id + "' has no parameter '" + name + "'";
-    }
-    double value, low, high;
-    if (known->min.find('|') != std::string::npos) {  // a choice
-      if (("|" + known->min + "|").find("|" + text + "|") != std::string::npos) continue;
-      return "'" + name + "' must be one of " + known->min;
-    }
-    if (name == "size" && info->id != "chew" && !parse_number(text, &value)) {
-      const std::string error = settle_sizing(complex, text, settings);
-      if (!error.empty()) return error;
-      continue;
-    }
-    if (!parse_number(text, &value)) return "'" + text + "' is not a number for '" + name + "'";
-    if (parse_number(known->min, &low) && parse_number(known->max, &high) &&
-        !(value >= low && value <= high)) {
-      return "'" + name + "' is " + text + ", but must be between " + known->min + " and " +
-             known->max;
-    }
-  }
-  for (const ParameterInfo& p : info->parameters) {
-    if (p.name != "tau" && p.name != "min-angle") values.emplace(p.name, p.default_value);
-  }
-  const auto number = [&](const char* name) {
-    const auto found = values.find(name);
-    double value = 0;
-    if (found != values.end()) parse_number(found->second, &value);
-    return value;
-  };
-  settings->algorithm = info->id;
-  settings->size = number("size");
-  if (values.count("protection")) settings->protection = number("protection");
-  settings->off_centers = values.count("steiner") && values["steiner"] == "off-center";
-  settings->protect_all = values.count("protect") && values["protect"] == "all";
-  if (options->tau && !(*options->tau >= 0.6 && *options->tau <= 1000)) {
-    return "tau must be between 0.6 and 1000";
-  }
-  if (options->min_angle_degrees &&
-      !(*options->min_angle_degrees >= 0.1 && *options->min_angle_degrees <= 56)) {
-    return "the smallest angle must be between 0.1 and 56 degrees";
-  }
-  if (!options->tau && values.count("tau")) options->tau = number("tau");
-  if (!options->min_angle_degrees && values.count("min-angle")) {
-    options->min_angle_degrees = number("min-angle");
-  }
-  if (options->tau && !options->min_angle_degrees) {
-    settings->tau = *options->tau;
-  } else {
-    if (options->tau) return "give tau or the smallest angle, not both";
-    const double degrees = options->min_angle_degrees.value_or(20.7);
-    settings->tau = 0.5 / elementary::sin(degrees * (elementary::kPi / 180));
-  }
-  values.erase("tau");
-  values.erase("min-angle");
-  const bool encloses = encloses_something(complex);
-  if (options->domain == Domain::kDefault) {
-    options->domain = info->default_domain == "hull" ? Domain::kHull
-                      : encloses                     ? Domain::kClosed
-                                                     : Domain::kBox;
-  }
-  if (options->domain == Domain::kClosed && !encloses) {
-    return "the segments enclose nothing, so that the domain `closed` is empty: use `box` or "
-           "`hull`";
-  }
-  settings->domain = options->domain;
-  if (options->domain == Domain::kBox && !box_fits(complex, number("box-scale"))) {
-    return "the box cannot be represented: its corners would be beyond 1e55, or too near to the "
-           "input for double precision; move or scale the input, or use the domain `hull`";
-  }
-  if (info->id == "chew" && settings->size == 0) {
-    settings->size = default_division_length(complex);
-    if (!std::isfinite(settings->size)) settings->size = 1;  // a single vertex
-  }
-  if (info->id == "fem-size" && settings->size == 0 && !settings->sizing) {
-    settings->size = 0.1 * diameter(complex);
-    if (settings->size == 0) settings->size = 1;  // a single vertex
-  }
-  if (settings->sizing) {
-    settings->size = 0;
-    return "";
-  }
-  options->size.clear();
-  if (settings->size > 0) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.17g", settings->size);
-    values["size"] = options->size = text;
-  }
-  return "";
-}
 
 const char* limit_word(Reason reason) {
   switch (reason) {
@@ -176,90 +20,83 @@ const char* limit_word(Reason reason) {
   }
 }
 
+// What a run does differently in the plane and in space.
+
+std::vector<std::unique_ptr<Stage>> plan_for(const Settings& settings, Plane) {
+  return plan(settings);
+}
+std::vector<std::unique_ptr<Stage3>> plan_for(const Settings& settings, Space) {
+  return plan_in_space(settings);
+}
+
+void follow_labels(Live2* live) { live->track_labels(); }
+void follow_labels(Live3*) {}
+
+/// The domain is settled, and traced, whatever stopped the run.
+void settle_domain(Live2* live, Recorder* recorder) {
+  // Floods leak where subsegments are missing: a run that ends so counts levels once more.
+  if (!live->classified() || (live->domain() == Domain::kClosed && !live->conforms())) {
+    live->classify();
+  }
+  const Delaunay2& dt = live->triangulation();
+  for (TriangleId t = 0; t < dt.slot_count(); ++t) {
+    if (dt.alive(t)) live->in_domain(t);
+  }
+  recorder->relabeled(live->take_relabeled());
+}
+void settle_domain(Live3*, Recorder3*) {}  // the whole convex hull
+
+/// With the box where the domain is one, and in space with a segment for every side of a face.
+Complex prepared(const Complex& input, const Settings& settings) {
+  const Complex whole = input.dimension == 3 ? with_sides(input) : input;
+  return settings.domain == Domain::kBox ? with_box(whole, settings.box_scale) : whole;
+}
+
 }  // namespace
 
+/// The state of a run; what depends on the dimension is in ImplOf.
 struct Run::Impl {
-  Impl(Complex input, Options o, Settings s, TraceSink* sink)
+  Impl(const Complex& input, Options o, Settings s)
       : options(std::move(o)),
         settings(std::move(s)),
         input_vertices(static_cast<std::uint32_t>(input.vertices.size())),
-        complex(std::move(input)),
-        live(boxed(), settings.domain),
-        recorder(live, sink),
-        work{live, recorder, options.limits, cancelled},
-        stages(plan(settings)) {
-    if (sink) live.track_labels();
-    for (const auto& stage : stages) names.push_back(stage->name);
-    steps.reserve(stages.size());
-  }
+        complex(prepared(input, settings)) {}
+  virtual ~Impl() = default;
 
-  const Complex& boxed() {
-    if (settings.domain == Domain::kBox) {
-      double scale = 3;
-      parse_number(options.parameters["box-scale"], &scale);
-      complex = with_box(complex, scale);
-    }
-    return complex;
-  }
+  /// Begins the current step if it has not begun, and goes on; true when it is done.
+  virtual bool go_on(Budget* budget) = 0;
+  virtual void end_step() = 0;
+  virtual Reason reached_limit() const = 0;
+  virtual Reason refusal_limit() const = 0;
+  virtual void settle() = 0;
+  virtual void record_limit(Reason why) = 0;
+  virtual Mesh mesh() = 0;
+  virtual void unresolved(const std::string& stop, std::size_t max,
+                          std::vector<Unresolved>* list) const = 0;
+  virtual void fill(Progress* progress) const = 0;
 
-  void begin_step() {
-    StepReport step;
-    step.name = stages[current]->name;
-    step.title = stages[current]->title;
-    steps.push_back(step);
-    work.inserted = work.refused = work.yielded = 0;
-    recorder.step_began(static_cast<std::uint8_t>(current));
-    stages[current]->begin(work);
-  }
-
-  void update_step(double spent) {
-    StepReport& step = steps.back();
-    step.vertices = live.triangulation().vertex_count();
-    step.inserted = work.inserted;
-    step.refused = work.refused;
-    step.yielded = work.yielded;
-    step.seconds += spent;
-    seconds += spent;
-    peak_bytes = std::max<std::uint64_t>(peak_bytes, live.bytes());
-  }
-
-  void end_step() { recorder.step_ended(work.inserted, work.refused); }
-
-  /// The domain is settled, and traced, whatever stopped the run; before the end of the last step
-  /// is told, so that this is the last event of a run that is complete.
-  void settle_domain() {
-    if (std::exchange(settled, true)) return;
-    // Floods leak where subsegments are missing: a run that ends so counts levels once more.
-    if (!live.classified() || (live.domain() == Domain::kClosed && !live.conforms())) {
-      live.classify();
-    }
-    const Delaunay2& dt = live.triangulation();
-    for (TriangleId t = 0; t < dt.slot_count(); ++t) {
-      if (dt.alive(t)) live.in_domain(t);
-    }
-    recorder.relabeled(live.take_relabeled());
+  /// Before the end of the last step is told, so that this is the last event of a run that is
+  /// complete.
+  void settle_once() {
+    if (!std::exchange(settled, true)) settle();
   }
 
   void finish(Reason why) {
-    settle_domain();
+    settle_once();
     if (why == Reason::kCancelled) {
       status = Status::kCancelled;
     } else {
       status = why == Reason::kNone ? Status::kComplete : Status::kLimit;
       limit = why;
     }
-    if (why != Reason::kNone) recorder.limit(why);
+    if (why != Reason::kNone) record_limit(why);
   }
 
   Options options;
   Settings settings;
   std::uint32_t input_vertices;
   Complex complex;
-  Live2 live;
-  Recorder recorder;
   std::atomic<bool> cancelled{false};
-  Workspace work;
-  std::vector<std::unique_ptr<Stage>> stages;
   std::vector<std::string> names;
   std::vector<StepReport> steps;
   std::size_t current = 0;
@@ -270,15 +107,75 @@ struct Run::Impl {
   std::uint64_t peak_bytes = 0;
 };
 
+/// The same in the plane or in space.
+template <class World>
+struct Run::ImplOf final : Impl {
+  ImplOf(const Complex& input, Options o, Settings s, TraceSink* sink)
+      : Impl(input, std::move(o), std::move(s)),
+        live(complex, settings.domain),
+        recorder(live, sink),
+        work{live, recorder, options.limits, cancelled},
+        stages(plan_for(settings, World{})) {
+    if (sink) follow_labels(&live);
+    for (const auto& stage : stages) names.push_back(stage->name);
+    steps.reserve(stages.size());
+  }
+
+  bool go_on(Budget* budget) override {
+    const auto start = Budget::Clock::now();
+    if (steps.size() == current) {
+      StepReport step;
+      step.name = stages[current]->name;
+      step.title = stages[current]->title;
+      steps.push_back(step);
+      work.inserted = work.refused = work.yielded = 0;
+      recorder.step_began(static_cast<std::uint8_t>(current));
+      stages[current]->begin(work);
+    }
+    const bool done = stages[current]->advance(work, *budget);
+    const double spent = std::chrono::duration<double>(Budget::Clock::now() - start).count();
+    StepReport& step = steps.back();
+    step.vertices = live.triangulation().vertex_count();
+    step.inserted = work.inserted;
+    step.refused = work.refused;
+    step.yielded = work.yielded;
+    step.seconds += spent;
+    seconds += spent;
+    peak_bytes = std::max<std::uint64_t>(peak_bytes, live.bytes());
+    return done;
+  }
+  void end_step() override { recorder.step_ended(work.inserted, work.refused); }
+  Reason reached_limit() const override { return work.limit; }
+  Reason refusal_limit() const override { return work.refusal_limit; }
+  void settle() override { settle_domain(&live, &recorder); }
+  void record_limit(Reason why) override { recorder.limit(why); }
+  Mesh mesh() override { return export_mesh(&live, input_vertices); }
+
+  void unresolved(const std::string& stop, std::size_t max,
+                  std::vector<Unresolved>* list) const override {
+    // The last rules are the strictest.
+    for (auto stage = stages.rbegin(); stage != stages.rend(); ++stage) {
+      if ((*stage)->has_rules()) return (*stage)->unresolved(work, stop, max, list);
+    }
+  }
+
+  void fill(Progress* p) const override {
+    p->vertices = live.triangulation().vertex_count();
+    p->queued = work.queued;
+    p->iterations = work.iterations;
+  }
+
+  typename World::Live live;
+  typename World::Recorder recorder;
+  WorkspaceOf<World> work;
+  std::vector<std::unique_ptr<StageOf<World>>> stages;
+};
+
 Run::Run() = default;
 Run::~Run() = default;
 
 std::unique_ptr<Run> Run::create(const Complex& complex, const Options& options, TraceSink* sink,
                                  std::vector<Defect>* defects, std::string* error) {
-  if (complex.dimension != 2) {
-    *error = "there is no algorithm for dimension " + std::to_string(complex.dimension);
-    return nullptr;
-  }
   for (Defect& d : check(complex)) {
     if (!d.warning) defects->push_back(std::move(d));
   }
@@ -288,7 +185,11 @@ std::unique_ptr<Run> Run::create(const Complex& complex, const Options& options,
   *error = settle(complex, &settled, &settings);
   if (!error->empty()) return nullptr;
   std::unique_ptr<Run> run(new Run);
-  run->impl_ = std::make_unique<Impl>(complex, std::move(settled), std::move(settings), sink);
+  if (complex.dimension == 3) {
+    run->impl_ = std::make_unique<ImplOf<Space>>(complex, std::move(settled), settings, sink);
+  } else {
+    run->impl_ = std::make_unique<ImplOf<Plane>>(complex, std::move(settled), settings, sink);
+  }
   return run;
 }
 
@@ -302,16 +203,13 @@ Status Run::advance(std::uint64_t iterations, double seconds) {
   }
   Budget budget(iterations, slice);
   while (m.status == Status::kRunning) {
-    const auto start = Budget::Clock::now();
-    if (m.steps.size() == m.current) m.begin_step();
-    const bool done = m.stages[m.current]->advance(m.work, budget);
-    m.update_step(std::chrono::duration<double>(Budget::Clock::now() - start).count());
-    if (m.work.limit != Reason::kNone) {
-      m.finish(m.work.limit);
+    const bool done = m.go_on(&budget);
+    if (m.reached_limit() != Reason::kNone) {
+      m.finish(m.reached_limit());
     } else if (done) {
-      if (m.current + 1 == m.stages.size()) m.settle_domain();
+      if (m.current + 1 == m.names.size()) m.settle_once();
       m.end_step();
-      if (++m.current == m.stages.size()) m.finish(m.work.refusal_limit);
+      if (++m.current == m.names.size()) m.finish(m.refusal_limit());
     } else if (allowed > 0 && m.seconds >= allowed) {
       m.finish(Reason::kLimitSeconds);
     } else {
@@ -329,9 +227,7 @@ Progress Run::progress() const {
   const Impl& m = *impl_;
   Progress p;
   p.step = m.names[std::min(m.current, m.names.size() - 1)];
-  p.vertices = m.live.triangulation().vertex_count();
-  p.queued = m.work.queued;
-  p.iterations = m.work.iterations;
+  m.fill(&p);
   p.seconds = m.seconds;
   return p;
 }
@@ -339,17 +235,12 @@ Progress Run::progress() const {
 const std::vector<std::string>& Run::step_names() const { return impl_->names; }
 const std::vector<StepReport>& Run::steps() const { return impl_->steps; }
 
-Mesh Run::mesh() const { return export_mesh(&impl_->live, impl_->input_vertices); }
+Mesh Run::mesh() const { return impl_->mesh(); }
 
 std::vector<Unresolved> Run::unresolved(std::size_t max) const {
   std::vector<Unresolved> list;
   const Reason stop = impl_->status == Status::kCancelled ? Reason::kCancelled : impl_->limit;
-  // The last rules are the strictest.
-  for (auto stage = impl_->stages.rbegin(); stage != impl_->stages.rend(); ++stage) {
-    if (!(*stage)->has_rules()) continue;
-    (*stage)->unresolved(impl_->work, limit_word(stop), max, &list);
-    break;
-  }
+  impl_->unresolved(limit_word(stop), max, &list);
   return list;
 }
 

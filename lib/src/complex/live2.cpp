@@ -439,35 +439,6 @@ std::size_t Live2::bytes() const {
          subsegments_.capacity() * sizeof(Subsegment);
 }
 
-Complex with_box(const Complex& complex, double scale) {
-  Complex boxed = complex;
-  Point3 low, high;
-  if (!complex.vertices.empty()) low = high = complex.vertices[0];
-  for (const Point3& p : complex.vertices) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), 0};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), 0};
-  }
-  double extent = std::max(high.x - low.x, high.y - low.y);
-  if (extent == 0) {  // a single vertex: any box will do whose corners are other points
-    extent = std::max({1.0, 0x1p-20 * std::abs(low.x), 0x1p-20 * std::abs(low.y)});
-  }
-  const double half = 0.5 * scale * extent;
-  const Point2 center{0.5 * (low.x + high.x), 0.5 * (low.y + high.y)};
-  const auto first = static_cast<std::uint32_t>(boxed.vertices.size());
-  const double x0 = center.x - half, x1 = center.x + half;
-  const double y0 = center.y - half, y1 = center.y + half;
-  boxed.vertices.insert(boxed.vertices.end(), {{x0, y0, 0}, {x1, y0, 0}, {x1, y1, 0}, {x0, y1, 0}});
-  for (std::uint32_t i = 0; i < 4; ++i) {
-    boxed.segments.push_back({first + i, first + (i + 1) % 4});
-  }
-  if (!boxed.vertex_markers.empty()) boxed.vertex_markers.resize(boxed.vertices.size(), 0);
-  if (!boxed.segment_markers.empty()) boxed.segment_markers.resize(boxed.segments.size(), 0);
-  if (boxed.attributes_per_vertex > 0) {
-    boxed.vertex_attributes.resize(boxed.vertices.size() * boxed.attributes_per_vertex, 0);
-  }
-  return boxed;
-}
-
 bool encloses_something(const Complex& complex) {
   // A graph without a cycle is a forest: joining the ends of a segment that are joined already
   // closes a loop.

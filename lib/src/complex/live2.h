@@ -9,25 +9,10 @@
 #include "circumball/complex.h"
 #include "circumball/mesh.h"
 #include "complex/shells.h"
+#include "complex/subsegment.h"
 #include "delaunay/delaunay2.h"
 
 namespace circumball {
-
-/// A subsegment: its slot in Live2 is its identity, and the tag of its edge. Splitting ends it and
-/// makes two new ones.
-using SubsegmentId = Id<struct SubsegmentTag>;
-
-struct Subsegment {
-  VertexId a, b;
-  SegmentId segment;  ///< the input segment (of the complex with its box) that it lies on
-  bool alive = true;
-  bool frozen = false;     ///< it was refused for good: nothing yields to it any more
-  bool is_collar = false;  ///< a collar simplex (thesis, 5.2.1): never split
-  /// Valid for an arc of the circle that protects this input vertex (thesis, 5.3.1); its edge is
-  /// the chord. An arc lies on no input segment, and is no boundary of the domain.
-  VertexId center = {};
-  bool is_arc() const { return center.valid(); }
-};
 
 /// What a triangle's label says. Regions get kFirstRegion + their index.
 enum DomainLabel : std::uint32_t {

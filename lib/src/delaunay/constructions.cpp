@@ -48,6 +48,30 @@ Twofold operator/(const Twofold& a, const Twofold& b) {
 
 }  // namespace
 
+double squared_distance_of_segments(const Point3& a, const Point3& b, const Point3& c,
+                                    const Point3& d) {
+  const auto clamped = [](double t) { return t < 0 ? 0 : t > 1 ? 1 : t; };
+  const double ux = b.x - a.x, uy = b.y - a.y, uz = b.z - a.z;
+  const double vx = d.x - c.x, vy = d.y - c.y, vz = d.z - c.z;
+  const double wx = a.x - c.x, wy = a.y - c.y, wz = a.z - c.z;
+  const double uu = ux * ux + uy * uy + uz * uz, vv = vx * vx + vy * vy + vz * vz;
+  const double uv = ux * vx + uy * vy + uz * vz;
+  const double uw = ux * wx + uy * wy + uz * wz, vw = vx * wx + vy * wy + vz * wz;
+  double s = 0, t = 0;
+  if (uu > 0 && vv > 0) {
+    const double determinant = uu * vv - uv * uv;
+    s = determinant > 0 ? clamped((uv * vw - uw * vv) / determinant) : 0;
+    t = clamped((uv * s + vw) / vv);
+    s = clamped((uv * t - uw) / uu);
+  } else if (uu > 0) {
+    s = clamped(-uw / uu);
+  } else if (vv > 0) {
+    t = clamped(vw / vv);
+  }
+  const Point3 p = point_between(a, b, s), q = point_between(c, d, t);
+  return squared_distance(p, q);
+}
+
 Point2 circumcenter_extended(const Point2& a, const Point2& b, const Point2& c) {
   const Twofold bx = two_sum(b.x, -a.x), by = two_sum(b.y, -a.y);
   const Twofold cx = two_sum(c.x, -a.x), cy = two_sum(c.y, -a.y);

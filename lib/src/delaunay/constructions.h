@@ -24,9 +24,27 @@ inline double distance(const Point2& a, const Point2& b) {
   return std::sqrt(squared_distance(a, b));
 }
 
+inline double squared_distance(const Point3& a, const Point3& b) {
+  const double dx = a.x - b.x, dy = a.y - b.y, dz = a.z - b.z;
+  return dx * dx + dy * dy + dz * dz;
+}
+
+inline double distance(const Point3& a, const Point3& b) {
+  return std::sqrt(squared_distance(a, b));
+}
+
 /// Midpoint of ab: each coordinate within half an ulp of (a + b) / 2; the same for ab and ba.
 inline Point2 midpoint(const Point2& a, const Point2& b) {
   return {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)};
+}
+
+inline Point3 midpoint(const Point3& a, const Point3& b) {
+  return {0.5 * (a.x + b.x), 0.5 * (a.y + b.y), 0.5 * (a.z + b.z)};
+}
+
+/// The point of ab at a part s of it from a; each coordinate within 2 ulp of the larger end's.
+inline Point3 point_between(const Point3& a, const Point3& b, double s) {
+  return {a.x + s * (b.x - a.x), a.y + s * (b.y - a.y), a.z + s * (b.z - a.z)};
 }
 
 /// The i-th of the points that divide ab into n equal parts; each coordinate within 2 ulp of the
@@ -123,8 +141,14 @@ inline Point2 off_center(const Point2& p, const Point2& q, double tau) {
   return {0.5 * (p.x + q.x) - h * dy, 0.5 * (p.y + q.y) + h * dx};
 }
 
-/// The same in double-double arithmetic: relative error about 1e-31 times that ratio squared. Not
-/// finite for collinear points.
+/// Squared distance between the segments ab and cd (each may be a point): relative error about
+/// 1e-15 times the squared ratio of the longer one to the distance. By the nearest points of the
+/// lines, clamped (Ericson, Real-Time Collision Detection, 2005, 5.1.9).
+double squared_distance_of_segments(const Point3& a, const Point3& b, const Point3& c,
+                                    const Point3& d);
+
+/// The same as circumcenter, in double-double arithmetic: relative error about 1e-31 times that
+/// ratio squared. Not finite for collinear points.
 Point2 circumcenter_extended(const Point2& a, const Point2& b, const Point2& c);
 
 }  // namespace circumball

@@ -3,7 +3,8 @@
 namespace circumball {
 namespace {
 
-Unresolved account(const Live2& live, std::vector<std::uint32_t> simplex, Reason rule,
+template <class Live>
+Unresolved account(const Live& live, std::vector<std::uint32_t> simplex, Reason rule,
                    Reason refusal, const std::string& stop) {
   Unresolved u;
   u.rule = name(rule);
@@ -16,6 +17,9 @@ Unresolved account(const Live2& live, std::vector<std::uint32_t> simplex, Reason
     }
     if (f.kind == FeatureKind::kSegment && u.near.empty()) {
       u.near = "input segment " + std::to_string(f.index);
+    }
+    if (f.kind == FeatureKind::kFace && u.near.empty()) {
+      u.near = "input face " + std::to_string(f.index);
     }
   }
   u.simplex = std::move(simplex);
@@ -34,6 +38,22 @@ Unresolved account_for(const Live2& live, TriangleRef t, Reason rule, Reason ref
                        const std::string& stop) {
   const auto& v = live.triangulation().triangle(t.id).v;
   return account(live, {v[0].value, v[1].value, v[2].value}, rule, refusal, stop);
+}
+
+Unresolved account_for(const Live3& live, SubsegmentId s, Reason rule, Reason refusal,
+                       const std::string& stop) {
+  const Subsegment& u = live.subsegment(s);
+  return account(live, {u.a.value, u.b.value}, rule, refusal, stop);
+}
+
+Unresolved account_for(const Live3& live, const FaceTriangle& t, Reason rule, Reason refusal,
+                       const std::string& stop) {
+  const FaceRefinement& face = live.face(t.face);
+  std::vector<std::uint32_t> simplex;
+  for (const VertexId v : face.triangulation().triangle(t.id).v) {
+    simplex.push_back(face.global(v).value);
+  }
+  return account(live, simplex, rule, refusal, stop);
 }
 
 }  // namespace circumball

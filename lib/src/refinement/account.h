@@ -5,6 +5,7 @@
 
 #include "circumball/refine.h"
 #include "complex/live2.h"
+#include "complex/live3.h"
 #include "refinement/view.h"
 
 namespace circumball {
@@ -14,6 +15,10 @@ namespace circumball {
 Unresolved account_for(const Live2& live, SubsegmentId s, Reason rule, Reason refusal,
                        const std::string& stop);
 Unresolved account_for(const Live2& live, TriangleRef t, Reason rule, Reason refusal,
+                       const std::string& stop);
+Unresolved account_for(const Live3& live, SubsegmentId s, Reason rule, Reason refusal,
+                       const std::string& stop);
+Unresolved account_for(const Live3& live, const FaceTriangle& t, Reason rule, Reason refusal,
                        const std::string& stop);
 
 }  // namespace circumball

@@ -25,6 +25,8 @@ class Agenda2 {
  public:
   /// Whether rules can only be asked once `begin` was called.
   static constexpr bool kNeedsBegin = Rules::kLooksAtNeighbors;
+  /// Whether a circumcenter may yield.
+  static constexpr bool kYields = true;
   void begin(Live2& live) {
     if constexpr (Rules::kLooksAtNeighbors) live.track_incidence();
   }
@@ -50,14 +52,14 @@ class Agenda2 {
   }
 
   /// Returns whether it was not waiting yet.
-  bool push(const Live2& live, SubsegmentId s, const Verdict&) {
-    if (waiting_.size() <= s.value) waiting_.resize(live.subsegment_count(), false);
+  bool push(const View&, const Rules&, SubsegmentId s, const Verdict&) {
+    if (waiting_.size() <= s.value) waiting_.resize(s.value + 1, false);
     if (waiting_[s.value]) return false;
     waiting_[s.value] = true;
     subsegments_.push({s, TriangleRef()});
     return true;
   }
-  bool push(const Live2&, TriangleRef t, const Verdict& why) {
+  bool push(const View&, const Rules&, TriangleRef t, const Verdict& why) {
     triangles_.push(t, why.value);
     return true;
   }

@@ -76,13 +76,13 @@ class Loop final : public StageOf<World> {
  private:
   /// Why a simplex was refused; kNone if it was not.
   template <class Simplex>
-  Reason refusal_of(Simplex s) const {
-    const auto found = refusals_.find(key(s));
+  Reason refusal_of(const Simplex& s) const {
+    const auto found = refusals_.find(View::key(s));
     return found == refusals_.end() ? Reason::kNone : found->second;
   }
 
   template <class Simplex, class Proposer>
-  void process(Workspace& w, Simplex s, Proposer proposer) {
+  void process(Workspace& w, const Simplex& s, const Proposer& proposer) {
     if (!view_->alive(s)) {
       // Whatever is not a subsegment leaves the queue without an event when it dies.
       if constexpr (std::is_same_v<Simplex, SubsegmentId>) w.recorder.dropped(s, Reason::kDied);
@@ -97,13 +97,15 @@ class Loop final : public StageOf<World> {
     if (const Verdict unsafe = rules_.safe(*view_, s)) return refuse(w, s, unsafe.reason, Point());
     const auto p = rules_.action(*view_, s);
     switch (p.kind) {
-      case Proposal::kRefuse:
+      case ProposalKind::kRefuse:
         return refuse(w, s, p.reason, p.at);
-      case Proposal::kYield:
+      case ProposalKind::kYield:
         // Subsegments have nothing to yield to.
-        if constexpr (!std::is_same_v<Simplex, SubsegmentId>) return yield(w, s, p);
+        if constexpr (Agenda::kYields && !std::is_same_v<Simplex, SubsegmentId>) {
+          return yield(w, s, p);
+        }
         return refuse(w, s, p.reason, p.at);
-      case Proposal::kInsert:
+      case ProposalKind::kInsert:
         if (!view_->ready(p.at, s)) return refuse(w, s, Reason::kPrecision, p.at);
         if (too_close(w, p.at)) return refuse(w, s, Reason::kMinEdge, p.at);
         agenda_.insert(w, *view_, rules_, s, p,
@@ -114,7 +116,7 @@ class Loop final : public StageOf<World> {
   /// The circumcenter yields to what it encroaches, and the simplex that proposed it goes back to
   /// the queue.
   template <class Simplex, class Yield>
-  void yield(Workspace& w, Simplex t, const Yield& p) {
+  void yield(Workspace& w, const Simplex& t, const Yield& p) {
     bool queued = false;
     for (const auto s : view_->encroached()) {
       if (!view_->may_split(s)) continue;
@@ -131,14 +133,14 @@ class Loop final : public StageOf<World> {
   }
 
   template <class Simplex>
-  void refuse(Workspace& w, Simplex s, Reason why, const Point& at) {
+  void refuse(Workspace& w, const Simplex& s, Reason why, const Point& at) {
     ++w.refused;
     if (why == Reason::kMinEdge) w.refusal_limit = Reason::kLimitMinEdge;
     if (why == Reason::kPrecision && w.refusal_limit == Reason::kNone) {
       w.refusal_limit = Reason::kLimitPrecision;
     }
     agenda_.refused(w.live, s, why);
-    refusals_[key(s)] = why;
+    refusals_[View::key(s)] = why;
     w.recorder.refused(s, why, at);
   }
 
@@ -155,12 +157,12 @@ class Loop final : public StageOf<World> {
   }
 
   template <class Simplex>
-  void queue_if_unacceptable(Workspace& w, Simplex s) {
+  void queue_if_unacceptable(Workspace& w, const Simplex& s) {
     if (const Verdict why = rules_.unacceptable(*view_, s)) queue(w, s, why);
   }
   template <class Simplex>
-  void queue(Workspace& w, Simplex s, const Verdict& why) {
-    if (agenda_.push(w.live, s, why)) w.recorder.queued(s, why);
+  void queue(Workspace& w, const Simplex& s, const Verdict& why) {
+    if (agenda_.push(*view_, rules_, s, why)) w.recorder.queued(s, why);
   }
 
   Rules rules_;

@@ -22,6 +22,8 @@ const char* name(EventKind kind) {
       return "relabeled";
     case EventKind::kLimit:
       return "limit";
+    case EventKind::kFaceChanged:
+      return "face-changed";
   }
   return "unknown";
 }
@@ -48,6 +50,12 @@ const char* name(Reason reason) {
       return "returned";
     case Reason::kWitness:
       return "witness";
+    case Reason::kNearWitness:
+      return "near-witness";
+    case Reason::kNearLocalWitness:
+      return "near-local-witness";
+    case Reason::kNearVertex:
+      return "near-vertex";
     case Reason::kInput:
       return "input";
     case Reason::kBox:
@@ -70,6 +78,12 @@ const char* name(Reason reason) {
       return "equal-length";
     case Reason::kShell:
       return "shell";
+    case Reason::kThird:
+      return "third";
+    case Reason::kOutsideFace:
+      return "outside-face";
+    case Reason::kNearSegment:
+      return "near-segment";
     case Reason::kOutsideDomain:
       return "outside-domain";
     case Reason::kProtected:

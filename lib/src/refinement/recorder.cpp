@@ -31,7 +31,7 @@ void Recorder::inserted(Event e, VertexId v, double insertion_radius) {
   for (const TriangleId t : dt.born()) born += append(dt.triangle(t), dt.triangle(t).label);
   e.other[0] = died;
   e.other[1] = born;
-  sink_->event(e, stream_.data(), stream_.size());
+  send_with_stream(e);
 }
 
 void Recorder::relabeled(const std::vector<Live2::Relabeled>& triangles) {
@@ -42,7 +42,7 @@ void Recorder::relabeled(const std::vector<Live2::Relabeled>& triangles) {
   for (const auto& [t, before] : triangles) append(dt.triangle(t), before);
   for (const auto& [t, before] : triangles) append(dt.triangle(t), dt.triangle(t).label);
   e.other[0] = e.other[1] = static_cast<std::uint32_t>(stream_.size() / 8);
-  sink_->event(e, stream_.data(), stream_.size());
+  send_with_stream(e);
 }
 
 }  // namespace circumball

@@ -6,20 +6,26 @@
 
 namespace circumball {
 
-/// The live cells, each with its vertices in ascending order (its identity) and as it was recorded.
+/// The live cells and triangles of faces, each with its identity and as it was recorded. The
+/// identity: its vertices in ascending order; for a triangle of a face, after the face.
 struct Replay::State {
   struct Cell {
     std::array<std::uint32_t, 4> key;
     std::array<std::uint32_t, 5> as_recorded;
     friend bool operator<(const Cell& a, const Cell& b) { return a.key < b.key; }
   };
-  std::set<Cell> live;
+  std::set<Cell> live, live_in_faces;
+  static std::vector<std::uint32_t> as_recorded(const std::set<Cell>& cells, int dimension);
+  std::set<Cell>& of(const Event& e) {
+    return e.kind == EventKind::kFaceChanged ? live_in_faces : live;
+  }
 };
 
 namespace {
 
 bool has_record(const Event& e) {
-  return e.kind == EventKind::kInserted || e.kind == EventKind::kRelabeled;
+  return e.kind == EventKind::kInserted || e.kind == EventKind::kRelabeled ||
+         e.kind == EventKind::kFaceChanged;
 }
 
 }  // namespace
@@ -29,7 +35,8 @@ Replay::~Replay() = default;
 
 /// Takes the simplices [first, first + out) from the live ones and adds the `in` that follow or
 /// precede them.
-void Replay::exchange(std::size_t out_at, std::size_t out, std::size_t in_at, std::size_t in) {
+void Replay::exchange(const Event& e, std::size_t out_at, std::size_t out, std::size_t in_at,
+                      std::size_t in) {
   const auto d = static_cast<std::size_t>(trace_->dimension);
   const auto cell = [&](std::size_t at) {
     State::Cell c{};
@@ -38,10 +45,14 @@ void Replay::exchange(std::size_t out_at, std::size_t out, std::size_t in_at, st
                 c.as_recorded.begin());
     std::copy_n(c.as_recorded.begin(), d + 1, c.key.begin());
     std::sort(c.key.begin(), c.key.end());
+    if (e.kind == EventKind::kFaceChanged) {
+      std::copy_backward(c.key.begin(), c.key.begin() + 3, c.key.end());
+      c.key[0] = c.as_recorded[4] / 4;
+    }
     return c;
   };
-  for (std::size_t i = 0; i < out; ++i) state_->live.erase(cell(out_at + i * (d + 2)));
-  for (std::size_t i = 0; i < in; ++i) state_->live.insert(cell(in_at + i * (d + 2)));
+  for (std::size_t i = 0; i < out; ++i) state_->of(e).erase(cell(out_at + i * (d + 2)));
+  for (std::size_t i = 0; i < in; ++i) state_->of(e).insert(cell(in_at + i * (d + 2)));
 }
 
 bool Replay::forward() {
@@ -50,7 +61,7 @@ bool Replay::forward() {
   if (!has_record(e)) return true;
   const auto stride = static_cast<std::size_t>(trace_->dimension) + 2;
   const std::size_t born_at = stream_ + e.other[0] * stride;
-  exchange(stream_, e.other[0], born_at, e.other[1]);
+  exchange(e, stream_, e.other[0], born_at, e.other[1]);
   stream_ = born_at + e.other[1] * stride;
   if (e.kind == EventKind::kInserted) vertices_[e.subject] = {e.at[0], e.at[1], e.at[2]};
   return true;
@@ -63,7 +74,7 @@ bool Replay::backward() {
   const auto stride = static_cast<std::size_t>(trace_->dimension) + 2;
   const std::size_t born_at = stream_ - e.other[1] * stride;
   const std::size_t died_at = born_at - e.other[0] * stride;
-  exchange(born_at, e.other[1], died_at, e.other[0]);
+  exchange(e, born_at, e.other[1], died_at, e.other[0]);
   stream_ = died_at;
   if (e.kind == EventKind::kInserted) vertices_.erase(e.subject);
   return true;
@@ -75,14 +86,20 @@ void Replay::seek(std::size_t position) {
   while (position_ > position) backward();
 }
 
-std::vector<std::uint32_t> Replay::cells() const {
+std::vector<std::uint32_t> Replay::State::as_recorded(const std::set<Cell>& cells, int dimension) {
   std::vector<std::uint32_t> all;
-  const auto stride = static_cast<std::size_t>(trace_->dimension) + 2;
-  for (const State::Cell& c : state_->live) {
-    all.insert(all.end(), c.as_recorded.begin(),
-               c.as_recorded.begin() + static_cast<std::ptrdiff_t>(stride));
+  for (const Cell& c : cells) {
+    all.insert(all.end(), c.as_recorded.begin(), c.as_recorded.begin() + dimension + 2);
   }
   return all;
+}
+
+std::vector<std::uint32_t> Replay::cells() const {
+  return State::as_recorded(state_->live, trace_->dimension);
+}
+
+std::vector<std::uint32_t> Replay::face_triangles() const {
+  return State::as_recorded(state_->live_in_faces, trace_->dimension);
 }
 
 }  // namespace circumball

@@ -35,6 +35,12 @@ void make_room(std::vector<T>* all, std::size_t more) {
   all->reserve(std::max(all->size() + more, kFactor * all->capacity()));
 }
 
+/// Whether simplices of an event follow in the stream.
+bool has_record(const Event& e) {
+  return e.kind == EventKind::kInserted || e.kind == EventKind::kRelabeled ||
+         e.kind == EventKind::kFaceChanged;
+}
+
 /// How many vertices a simplex of an event has.
 unsigned corners(const Event& e) { return e.dimension == 0 ? 0 : e.dimension + 1u; }
 
@@ -57,6 +63,10 @@ std::string simplex_words(const Event& e) {
       return "The piece of segment " + std::to_string(e.simplex[3]) + " between vertices " +
              list_of(e);
     case 2:
+      if (e.simplex[3] != kNoIndex) {
+        return "The triangle of face " + std::to_string(e.simplex[3]) + " with vertices " +
+               list_of(e);
+      }
       return "The triangle of vertices " + list_of(e);
     default:
       return "The tetrahedron of vertices " + list_of(e);
@@ -92,6 +102,21 @@ std::string why_queued(const Event& e) {
     case Reason::kWitness:
       return " is unacceptable: vertex " + witness +
              " is a 1-feature size witness inside its diametral disk.";
+    case Reason::kNearWitness:
+      return " is unacceptable: vertex " + witness +
+             ", a Delaunay neighbor of one of its ends or of an end in its spindle, is a 1-feature "
+             "size witness for it at distance " +
+             number(e.value) + ", less than its length.";
+    case Reason::kNearLocalWitness:
+      return " is unacceptable: vertex " + witness +
+             ", a Delaunay neighbor of one of its ends, is a local feature size witness for it at "
+             "distance " +
+             number(e.value) + ", less than its length.";
+    case Reason::kNearVertex:
+      return " is unacceptable: vertex " + witness +
+             ", a Delaunay neighbor of one of its vertices, does not lie in the face and is at "
+             "distance " +
+             number(e.value) + ", less than its circumdiameter.";
     case Reason::kYieldedTo:
       return " is queued: a circumcenter yields to it.";
     case Reason::kReturned:
@@ -117,6 +142,8 @@ std::string place_inserted(Reason reason) {
       return "at the distance that protects its acute angle, on";
     case Reason::kEqualLength:
       return "for pieces of equal length at a common vertex, on";
+    case Reason::kThird:
+      return "a third of the nearest neighbor's distance from its input vertex, on";
     case Reason::kShell:
       return "where a concentric shell about its input vertex crosses";
     case Reason::kArcMidpoint:
@@ -139,6 +166,11 @@ std::string why_refused(Reason reason) {
     case Reason::kSeditious:
       return "its shortest edge is seditious: it joins two segments of a small angle, equally far "
              "from where they meet";
+    case Reason::kOutsideFace:
+      return "its circumcenter lies outside of the face";
+    case Reason::kNearSegment:
+      return "an end of a segment of the face would be a Delaunay neighbor of its circumcenter, "
+             "nearer than that segment is long";
     case Reason::kFrozen:
       return "its circumcenter would yield to a piece of a segment that is not split any more";
     default:
@@ -199,7 +231,7 @@ bool trace_from_bytes(const std::string& bytes, Trace* trace, std::string* error
   std::uint64_t used = 0;
   const std::uint64_t stride = head[0] + 2;
   for (const Event& e : trace->events) {
-    if (e.kind != EventKind::kInserted && e.kind != EventKind::kRelabeled) continue;
+    if (!has_record(e)) continue;
     used += (std::uint64_t{e.other[0]} + e.other[1]) * stride;
     if (used > head[3]) return false;
   }
@@ -219,7 +251,9 @@ std::string to_jsonl(const Trace& trace) {
       line["simplex"] = std::vector<std::uint32_t>(e.simplex, e.simplex + corners(e));
       if (e.dimension == 1 && e.simplex[3] != kNoIndex) line["segment"] = e.simplex[3];
       if (e.dimension == 1 && e.simplex[2] != kNoIndex) line["center"] = e.simplex[2];
+      if (e.dimension == 2 && e.simplex[3] != kNoIndex) line["face"] = e.simplex[3];
     }
+    if (e.kind == EventKind::kFaceChanged) line["face"] = e.subject;
     if (e.kind == EventKind::kInserted) line["vertex"] = e.subject;
     if (e.kind == EventKind::kQueued && e.subject != kNoIndex) line["witness"] = e.subject;
     if (e.kind == EventKind::kYielded) {
@@ -231,13 +265,15 @@ std::string to_jsonl(const Trace& trace) {
       line["at"] = std::vector<double>(e.at, e.at + trace.dimension);
     }
     if (e.value != 0) line["value"] = e.value;
-    if (e.kind == EventKind::kInserted || e.kind == EventKind::kRelabeled) {
+    if (has_record(e)) {
+      // A triangle of a face has one vertex less than a cell.
+      const std::size_t size = stride - (e.kind == EventKind::kFaceChanged ? 2 : 1);
       const auto simplices = [&](std::uint32_t count) {
         nlohmann::ordered_json list = nlohmann::ordered_json::array();
         for (std::uint32_t i = 0; i < count; ++i, at += stride) {
           list.push_back(std::vector<std::uint32_t>(
               trace.simplices.begin() + static_cast<std::ptrdiff_t>(at),
-              trace.simplices.begin() + static_cast<std::ptrdiff_t>(at + stride - 1)));
+              trace.simplices.begin() + static_cast<std::ptrdiff_t>(at + size)));
         }
         return list;
       };
@@ -281,6 +317,10 @@ std::string describe(const Event& e, const std::vector<std::string>& steps) {
       return vertex + " is inserted " + place_inserted(e.reason) + " " + split + ", at distance " +
              number(e.value) + " from its nearest neighbor.";
     }
+    case EventKind::kFaceChanged:
+      return "The triangulation of face " + std::to_string(e.subject) +
+             " changes: " + std::to_string(e.other[0]) + " triangles die, " +
+             std::to_string(e.other[1]) + " are born.";
     case EventKind::kRelabeled:
       return "The triangles are told apart: inside and outside of the domain.";
     case EventKind::kLimit:

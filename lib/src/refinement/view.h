@@ -9,6 +9,7 @@
 #include "circumball/trace.h"
 #include "complex/live2.h"
 #include "delaunay/constructions.h"
+#include "refinement/verdict.h"
 #include "sizing/sizing.h"
 
 /// What a rule may see, and say. Rules are pure queries over the local Delaunay triangulation; only
@@ -21,31 +22,13 @@ struct TriangleRef {
   std::uint32_t birth = 0;
 };
 
-/// The answer of an Unacceptability or Safety rule: a reason (kNone: acceptable, safe), its
-/// witness, a measure.
-struct Verdict {
-  Reason reason = Reason::kNone;
-  VertexId witness;
-  double value = 0;
-  explicit operator bool() const { return reason != Reason::kNone; }
-};
-
-/// The answer of an Action rule.
-struct Proposal {
-  enum Kind : std::uint8_t { kInsert, kYield, kRefuse } kind = kRefuse;
-  Reason reason = Reason::kNone;
-  Point2 at;
-};
-inline Proposal insert(const Point2& at, Reason why) { return {Proposal::kInsert, why, at}; }
+using Proposal = ProposalOf<Point2>;
+inline Proposal insert(const Point2& at, Reason why) { return {ProposalKind::kInsert, why, at}; }
 /// Queue the subsegments that `at` encroaches (View::encroached) instead.
 inline Proposal yield_to_encroached(const Point2& at) {
-  return {Proposal::kYield, Reason::kYieldedTo, at};
+  return {ProposalKind::kYield, Reason::kYieldedTo, at};
 }
-inline Proposal refuse(const Point2& at, Reason why) { return {Proposal::kRefuse, why, at}; }
-
-/// Identity of a simplex among all that a run ever has.
-inline std::uint64_t key(SubsegmentId s) { return std::uint64_t{s.value} << 1; }
-inline std::uint64_t key(TriangleRef t) { return std::uint64_t{t.birth} << 1 | 1; }
+inline Proposal refuse(const Point2& at, Reason why) { return {ProposalKind::kRefuse, why, at}; }
 
 /// What is around a point that is not inserted yet.
 enum class Outlook : std::uint8_t {
@@ -62,6 +45,9 @@ class View {
       : live_(live), dt_(live.triangulation()), measuring_(measuring) {}
 
   // --- what the loop asks
+  /// Identity of a simplex among all that a run ever has.
+  static std::uint64_t key(SubsegmentId s) { return std::uint64_t{s.value} << 1; }
+  static std::uint64_t key(TriangleRef t) { return std::uint64_t{t.birth} << 1 | 1; }
   bool in_domain(SubsegmentId) const { return true; }
   /// Finds a lost label again.
   bool in_domain(TriangleRef t) const { return live_.in_domain(t.id); }

@@ -1,0 +1,139 @@
+#ifndef CIRCUMBALL_ALGORITHMS_FEATURE_SIZE3_H_
+#define CIRCUMBALL_ALGORITHMS_FEATURE_SIZE3_H_
+
+#include <cmath>
+
+#include "refinement/agenda3.h"
+#include "refinement/view3.h"
+
+namespace circumball {
+
+/// Estimate feature size in space, step 1b: thesis Algorithm 4.2.
+///
+/// It ends for every valid complex; then 1/4 fs_1(s) <= |s| <= sqrt 2 fs_1(s) for every segment
+/// (Lemmas 4.5 and 4.9). Misprint: "p is a witness for q" is for s; read literally it does not end.
+struct FeatureSize1b {
+  static constexpr bool kFaceTriangles = false;
+  static constexpr bool kSpindle = true;
+
+  /// Priority: longer segments are processed first.
+  Priority priority(const View3& view, SubsegmentId s) const { return {0, view.squared_length(s)}; }
+
+  /// Unacceptability: segment s is unacceptable if there is an endpoint q of a segment in Spind(s)
+  /// with a Delaunay neighbor p such that p is a 1-feature size witness for s and |q - p| < |s|.
+  Verdict unacceptable(const View3& view, SubsegmentId s) const {
+    const double length2 = view.squared_length(s);
+    Verdict why;
+    view.for_each_in_spindle(s, [&](SubsegmentId other) {
+      const Subsegment& u = view.subsegment(other);
+      for (const VertexId q : {u.a, u.b}) {
+        // The input vertex that the spindle shares is looked at once.
+        if (why || (other != s && view.is_end_of(q, s))) continue;
+        view.for_each_near_neighbor(q, length2, [&](VertexId p, double d2) {
+          if (view.is_witness(p, s)) why = {Reason::kNearWitness, p, std::sqrt(d2)};
+          return !why;
+        });
+      }
+    });
+    return why;
+  }
+  Verdict near_vertex(const View3& view, SubsegmentId s, VertexId q, VertexId p) const {
+    const double d2 = view.squared_distance_between(p, q);
+    if (!View3::is_less(d2, view.squared_length(s)) || !view.is_witness(p, s)) return {};
+    return {Reason::kNearWitness, p, std::sqrt(d2)};
+  }
+
+  /// Safety: it is safe to split any segment.
+  Verdict safe(const View3&, SubsegmentId) const { return {}; }
+
+  /// Action: insert the midpoint of a segment.
+  Proposal3 action(const View3& view, SubsegmentId s) const {
+    return insert(view.midpoint(s), Reason::kMidpoint);
+  }
+};
+
+/// Estimate feature size in space, step 2b: thesis Algorithm 4.3.
+///
+/// It ends for every valid complex; then |s| <= min(sqrt 2 fs_1(s), 5/3 lfs(s)) for every segment
+/// (Theorem 4.2), and min(1/16 fs_1(s), 1/4 lfs(s)) <= |s| throughout (Theorem 4.1).
+struct FeatureSize2b {
+  static constexpr bool kFaceTriangles = true;
+  static constexpr bool kSpindle = false;
+
+  /// Priority: triangles are given highest priority, in any order; segments are then prioritized by
+  /// length.
+  Priority priority(const View3& view, SubsegmentId s) const { return {0, view.squared_length(s)}; }
+  Priority priority(const View3&, const FaceTriangle&) const { return {1, 0}; }
+
+  /// Unacceptability: a segment s is unacceptable if it has an endpoint q with a Delaunay neighbor
+  /// p such that |q - p| < |s| and p is a local or a 1-feature size witness for s.
+  Verdict unacceptable(const View3& view, SubsegmentId s) const {
+    const Subsegment& u = view.subsegment(s);
+    const double length2 = view.squared_length(s);
+    Verdict why;
+    for (const VertexId q : {u.a, u.b}) {
+      if (why) break;
+      view.for_each_near_neighbor(q, length2, [&](VertexId p, double d2) {
+        why = witness(view, s, p, d2);
+        return !why;
+      });
+    }
+    return why;
+  }
+  Verdict near_vertex(const View3& view, SubsegmentId s, VertexId q, VertexId p) const {
+    const double d2 = view.squared_distance_between(p, q);
+    return View3::is_less(d2, view.squared_length(s)) ? witness(view, s, p, d2) : Verdict{};
+  }
+  /// A triangle t of a face is unacceptable if a vertex q of it has a Delaunay neighbor p that does
+  /// not lie in the face, with |p - q| < 2 R_t.
+  Verdict unacceptable(const View3& view, const FaceTriangle& t) const {
+    const double diameter2 = 4 * view.squared_circumradius(t);
+    Verdict why;
+    for (const VertexId q : view.corners(t)) {
+      if (why) break;
+      view.for_each_near_neighbor(q, diameter2, [&](VertexId p, double d2) {
+        if (!view.lies_in_face(p, t.face)) why = {Reason::kNearVertex, p, std::sqrt(d2)};
+        return !why;
+      });
+    }
+    return why;
+  }
+  Verdict near_vertex(const View3& view, const FaceTriangle& t, VertexId q, VertexId p) const {
+    const double d2 = view.squared_distance_between(p, q);
+    if (view.lies_in_face(p, t.face) || !View3::is_less(d2, 4 * view.squared_circumradius(t))) {
+      return {};
+    }
+    return {Reason::kNearVertex, p, std::sqrt(d2)};
+  }
+
+  /// Safety: it is not safe to split a triangle of face f if its circumcenter c will have a
+  /// Delaunay neighbor q which is the endpoint of a segment s in f and |c - q| < |s|; nor if c lies
+  /// outside of f, of which the thesis does not speak (faces need not be convex).
+  Verdict safe(const View3&, SubsegmentId) const { return {}; }
+  Verdict safe(View3& view, const FaceTriangle& t) const {
+    if (!view.circumcenter_is_in_face(t)) return {Reason::kOutsideFace, VertexId(), 0};
+    const Point3 c = view.circumcenter(t);
+    if (!view.look(c, t)) return {Reason::kPrecision, VertexId(), 0};
+    const VertexId q = view.near_segment_of_face(c, t.face);
+    return q.valid() ? Verdict{Reason::kNearSegment, q, 0} : Verdict{};
+  }
+
+  /// Action: insert the circumcenter of a segment or of a triangle.
+  Proposal3 action(const View3& view, SubsegmentId s) const {
+    return insert(view.midpoint(s), Reason::kMidpoint);
+  }
+  Proposal3 action(const View3& view, const FaceTriangle& t) const {
+    return insert(view.circumcenter(t), Reason::kCircumcenter);
+  }
+
+ private:
+  static Verdict witness(const View3& view, SubsegmentId s, VertexId p, double d2) {
+    if (view.is_witness(p, s)) return {Reason::kNearWitness, p, std::sqrt(d2)};
+    if (view.is_local_witness(p, s)) return {Reason::kNearLocalWitness, p, std::sqrt(d2)};
+    return {};
+  }
+};
+
+}  // namespace circumball
+
+#endif  // CIRCUMBALL_ALGORITHMS_FEATURE_SIZE3_H_

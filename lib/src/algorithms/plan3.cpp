@@ -1,0 +1,34 @@
+#include "algorithms/feature_size3.h"
+#include "algorithms/plan.h"
+#include "algorithms/sweeps3.h"
+#include "refinement/loop.h"
+
+namespace circumball {
+namespace {
+
+template <class Rules>
+std::unique_ptr<Stage3> loop(std::string name, std::string title, Rules rules) {
+  return std::make_unique<Loop<Rules, Space>>(std::move(name), std::move(title), std::move(rules));
+}
+
+Step2a step2a(const Settings& settings) {
+  return settings.step2a == "halves"     ? Step2a::kHalves
+         : settings.step2a == "adaptive" ? Step2a::kAdaptive
+                                         : Step2a::kFourths;
+}
+
+}  // namespace
+
+std::vector<std::unique_ptr<Stage3>> plan_in_space(const Settings& settings) {
+  std::vector<std::unique_ptr<Stage3>> steps;
+  steps.push_back(insert_vertices_in_space());
+  if (settings.algorithm == "feature-size") {
+    steps.push_back(split_at_thirds());
+    steps.push_back(loop("1b", "Estimate the 1-feature size on all segments", FeatureSize1b{}));
+    steps.push_back(split_into_parts(step2a(settings)));
+    steps.push_back(loop("2b", "Estimate the local feature size on all segments", FeatureSize2b{}));
+  }
+  return steps;
+}
+
+}  // namespace circumball

@@ -1,0 +1,66 @@
+#include "algorithms/registry3.h"
+
+namespace circumball {
+
+std::vector<AlgorithmInfo> algorithms_in_space() {
+  const ParameterInfo box{"box-scale", "3", "1.5", "1000",
+                          "side of the box of the domain `box`, in sizes of the input"};
+
+  AlgorithmInfo delaunay;
+  delaunay.id = "delaunay";
+  delaunay.title = "Delaunay tetrahedralization";
+  delaunay.dimension = 3;
+  delaunay.thesis = "Step 0 (Definition 2.1.1)";
+  delaunay.action = "Insert the next input vertex.";
+  delaunay.priority = "Along a space-filling curve: any order gives the same tetrahedralization.";
+  delaunay.unacceptability =
+      "A tetrahedron is unacceptable if its circumball holds an input vertex.";
+  delaunay.safety = "It is safe to insert any vertex.";
+  delaunay.parameters = {box};
+  delaunay.guarantee =
+      "The circumball of every tetrahedron is empty; exactly, whatever the input. Segments and "
+      "faces are not enforced.";
+  delaunay.checks = {"topology", "delaunay", "input-vertices", "volume"};
+  delaunay.default_domain = "hull";
+
+  AlgorithmInfo feature_size = delaunay;
+  feature_size.id = "feature-size";
+  feature_size.title = "Feature size estimate";
+  feature_size.thesis = "Algorithms 4.1, 4.2 and 4.3";
+  feature_size.action =
+      "Steps 1b and 2b: insert the circumcenter of a segment or of a triangle of a face. (Step 1a "
+      "splits segments at $N(q_0)/3$ from their input vertices, step 2a into four equal parts.)";
+  feature_size.priority =
+      "Step 1b: longer segments are processed first. Step 2b: triangles are given highest "
+      "priority, "
+      "in any order; segments are then prioritized by length.";
+  feature_size.unacceptability =
+      "Step 1b: a segment $s$ is unacceptable if an endpoint $q$ of a segment in "
+      "$\\mathrm{Spind}(s)$ "
+      "has a Delaunay neighbor $p$ with $|q - p| < |s|$ that is a 1-feature size witness for $s$. "
+      "Step 2b: if an endpoint $q$ of $s$ has one that is a local or a 1-feature size witness; a "
+      "triangle $t$ of a face if a vertex $q$ has a Delaunay neighbor $p$ outside of the face with "
+      "$|p - q| < 2 R_t$.";
+  feature_size.safety =
+      "It is safe to split any segment. It is not safe to split a triangle of face $f$ if its "
+      "circumcenter $c$ lies outside of $f$, or will have a Delaunay neighbor $q$ that is the "
+      "endpoint of a segment $s$ in $f$ with $|c - q| < |s|$.";
+  feature_size.parameters = {{"step2a", "fourths", "fourths|halves|adaptive", "",
+                              "how step 2a splits segments: into fourths as proved; into halves, "
+                              "which the thesis observed "
+                              "to do as well; or into fourths only where $|s| \\le "
+                              "\\mathrm{lfs}_1(s) / (2 \\sqrt 2)$ is in "
+                              "doubt"},
+                             box};
+  feature_size.guarantee =
+      "It ends for every complex, and for every segment $|s| \\le \\min(\\sqrt "
+      "2\\,\\mathrm{fs}_1(s), "
+      "\\frac{5}{3}\\,\\mathrm{lfs}(s))$ and $\\min(\\frac{1}{16}\\,\\mathrm{fs}_1(s), "
+      "\\frac{1}{4}\\,"
+      "\\mathrm{lfs}(s)) \\le |s|$, the latter throughout (Theorems 4.1 and 4.2).";
+  feature_size.checks = {"topology", "delaunay",      "input-vertices",
+                         "volume",   "segment-lower", "segment-upper"};
+  return {delaunay, feature_size};
+}
+
+}  // namespace circumball

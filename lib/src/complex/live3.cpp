@@ -1,0 +1,232 @@
+#include "complex/live3.h"
+
+#include <algorithm>
+
+namespace circumball {
+
+Incidence3::Table Incidence3::table(std::size_t rows,
+                                    std::vector<std::array<std::uint32_t, 2>>* pairs) {
+  std::sort(pairs->begin(), pairs->end());
+  pairs->erase(std::unique(pairs->begin(), pairs->end()), pairs->end());
+  Table t;
+  t.first.assign(rows + 1, 0);
+  t.items.reserve(pairs->size());
+  for (const auto& [row, item] : *pairs) {
+    ++t.first[row + 1];
+    t.items.push_back(item);
+  }
+  for (std::size_t i = 0; i < rows; ++i) t.first[i + 1] += t.first[i];
+  return t;
+}
+
+Incidence3::Incidence3(const Complex& complex) {
+  const std::size_t vertices = complex.vertices.size(), segments = complex.segments.size();
+  std::vector<std::array<std::uint32_t, 2>> face_vertices, vertex_faces, segment_faces,
+      vertex_segments;
+  std::vector<std::array<std::uint32_t, 3>> by_ends;  // lower, higher, number
+  by_ends.reserve(segments);
+  for (std::uint32_t s = 0; s < segments; ++s) {
+    const auto [low, high] = std::minmax(complex.segments[s][0], complex.segments[s][1]);
+    by_ends.push_back({low, high, s});
+    vertex_segments.push_back({low, s});
+    vertex_segments.push_back({high, s});
+  }
+  std::sort(by_ends.begin(), by_ends.end());
+  for (std::uint32_t f = 0; f < complex.faces.size(); ++f) {
+    const Face& face = complex.faces[f];
+    for (const auto& loop : face.loops) {
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        face_vertices.push_back({f, loop[i]});
+        const auto [low, high] = std::minmax(loop[i], loop[(i + 1) % loop.size()]);
+        const std::array<std::uint32_t, 3> side{low, high, 0};
+        auto at = std::lower_bound(by_ends.begin(), by_ends.end(), side);
+        for (; at != by_ends.end() && (*at)[0] == low && (*at)[1] == high; ++at) {
+          segment_faces.push_back({(*at)[2], f});
+        }
+      }
+    }
+    for (const std::uint32_t s : face.segments) {
+      segment_faces.push_back({s, f});
+      for (const std::uint32_t v : complex.segments[s]) face_vertices.push_back({f, v});
+    }
+    for (const std::uint32_t v : face.vertices) face_vertices.push_back({f, v});
+  }
+  for (const auto& [f, v] : face_vertices) vertex_faces.push_back({v, f});
+  face_vertices_ = table(complex.faces.size(), &face_vertices);
+  vertex_faces_ = table(vertices, &vertex_faces);
+  segment_faces_ = table(segments, &segment_faces);
+  vertex_segments_ = table(vertices, &vertex_segments);
+}
+
+bool Incidence3::face_has_vertex(std::uint32_t face, std::uint32_t v) const {
+  const Range faces = faces_of_vertex(v);
+  return std::binary_search(faces.begin(), faces.end(), face);
+}
+
+bool Incidence3::face_has_segment(std::uint32_t face, std::uint32_t s) const {
+  const Range faces = faces_of_segment(s);
+  return std::binary_search(faces.begin(), faces.end(), face);
+}
+
+Live3::Live3(const Complex& complex, Domain domain)
+    : complex_(&complex), incidence_(complex), domain_(domain) {
+  features_.reserve(complex.vertices.size());
+  for (std::uint32_t i = 0; i < complex.vertices.size(); ++i) {
+    add_vertex(complex.vertices[i], {FeatureKind::kVertex, i});
+  }
+}
+
+VertexId Live3::add_vertex(const Point3& p, Feature feature) {
+  features_.push_back(feature);
+  incident_.emplace_back();
+  return triangulation_.add_vertex(p);
+}
+
+Incidence3::Range Live3::faces_of(const Feature& feature) const {
+  static constexpr std::uint32_t kNothing = 0;
+  switch (feature.kind) {
+    case FeatureKind::kVertex:
+      return incidence_.faces_of_vertex(feature.index);
+    case FeatureKind::kSegment:
+      return incidence_.faces_of_segment(feature.index);
+    case FeatureKind::kFace: {
+      const std::uint32_t* self = face_numbers_.data() + feature.index;
+      return {self, self + 1};
+    }
+    default:
+      return {&kNothing, &kNothing};
+  }
+}
+
+bool Live3::lies_in_face(VertexId v, std::uint32_t face) const {
+  const Incidence3::Range faces = faces_of(feature(v));
+  return std::binary_search(faces.begin(), faces.end(), face);
+}
+
+bool Live3::disjoint(const Feature& f, const Feature& g) const {
+  // From the lower dimension to the higher.
+  if (f.kind > g.kind) return disjoint(g, f);
+  const auto touches = [&](std::uint32_t v) {
+    switch (g.kind) {
+      case FeatureKind::kVertex:
+        return v == g.index;
+      case FeatureKind::kSegment: {
+        const auto& ends = complex_->segments[g.index];
+        return v == ends[0] || v == ends[1];
+      }
+      default:
+        return incidence_.face_has_vertex(g.index, v);
+    }
+  };
+  switch (f.kind) {
+    case FeatureKind::kVertex:
+      return !touches(f.index);
+    case FeatureKind::kSegment: {
+      const auto& ends = complex_->segments[f.index];
+      return !touches(ends[0]) && !touches(ends[1]);
+    }
+    default:
+      for (const std::uint32_t v : incidence_.vertices_of_face(f.index)) {
+        if (touches(v)) return false;
+      }
+      return true;
+  }
+}
+
+void Live3::create_features() {
+  const auto& segments = complex_->segments;
+  subsegments_.reserve(2 * segments.size());
+  std::vector<std::array<std::uint32_t, 3>> by_ends;
+  for (std::uint32_t i = 0; i < segments.size(); ++i) {
+    const auto [low, high] = std::minmax(segments[i][0], segments[i][1]);
+    by_ends.push_back({low, high, i});
+    subsegments_.push_back({VertexId(segments[i][0]), VertexId(segments[i][1]), SegmentId(i)});
+  }
+  // Of segments given twice (a warning of `check`) the first counts.
+  std::sort(by_ends.begin(), by_ends.end());
+  for (std::size_t k = 1; k < by_ends.size(); ++k) {
+    const auto &first = by_ends[k - 1], &second = by_ends[k];
+    if (first[0] == second[0] && first[1] == second[1]) subsegments_[second[2]].alive = false;
+  }
+  for (std::uint32_t i = 0; i < subsegment_count(); ++i) {
+    if (subsegments_[i].alive) link(SubsegmentId(i));
+  }
+  const auto count = static_cast<std::uint32_t>(complex_->faces.size());
+  faces_.reserve(count);
+  for (std::uint32_t f = 0; f < count; ++f) {
+    face_numbers_.push_back(f);
+    faces_.emplace_back(*complex_, f);
+    for (const std::uint32_t v : incidence_.vertices_of_face(f)) {
+      faces_.back().add_vertex(VertexId(v), complex_->vertices[v]);
+    }
+    faces_.back().insert_all();
+  }
+  for (std::uint32_t v = 0; v < complex_->vertices.size(); ++v) {
+    local_first_.push_back(static_cast<std::uint32_t>(locals_.size()));
+    for (const std::uint32_t f : incidence_.faces_of_vertex(v)) {
+      // Vertices of a face are numbered by ascending number in the complex.
+      const Incidence3::Range vertices = incidence_.vertices_of_face(f);
+      const auto at = std::lower_bound(vertices.begin(), vertices.end(), v);
+      locals_.push_back(VertexId(static_cast<std::uint32_t>(at - vertices.begin())));
+    }
+  }
+}
+
+void Live3::link(SubsegmentId s) {
+  const Subsegment& u = subsegments_[s.value];
+  incident_[u.a.value].push_back(s);
+  incident_[u.b.value].push_back(s);
+}
+
+std::array<SubsegmentId, 2> Live3::split(SubsegmentId s, VertexId m) {
+  Subsegment& old = subsegments_[s.value];
+  old.alive = false;
+  const Subsegment first{old.a, m, old.segment}, second{m, old.b, old.segment};
+  for (const VertexId end : {old.a, old.b}) {
+    auto& at = incident_[end.value];
+    at.erase(std::find(at.begin(), at.end(), s));
+  }
+  const SubsegmentId left(subsegment_count()), right(subsegment_count() + 1);
+  subsegments_.push_back(first);  // `old` dangles from here on
+  subsegments_.push_back(second);
+  link(left);
+  link(right);
+  return {left, right};
+}
+
+VertexId Live3::local(VertexId v, std::uint32_t face) const {
+  const Incidence3::Range faces = faces_of(feature(v));
+  const auto at = std::lower_bound(faces.begin(), faces.end(), face);
+  if (at == faces.end() || *at != face) return VertexId();
+  return locals_[local_first_[v.value] + static_cast<std::size_t>(at - faces.begin())];
+}
+
+bool Live3::probe_faces(const Point3& p, const Feature& feature, VertexId near) {
+  for (const std::uint32_t f : faces_of(feature)) {
+    FaceRefinement& face = faces_[f];
+    const VertexId from = local(near, f);
+    if (!face.probe(p, face.triangulation().triangle_of(from))) return false;
+  }
+  return true;
+}
+
+void Live3::commit_to_faces(VertexId v) {
+  local_first_.push_back(static_cast<std::uint32_t>(locals_.size()));
+  for (const std::uint32_t f : faces_of(feature(v))) {
+    const VertexId number = faces_[f].add_vertex(v, triangulation_.point(v));
+    faces_[f].commit(number);
+    locals_.push_back(number);
+  }
+}
+
+std::size_t Live3::bytes() const {
+  std::size_t bytes = triangulation_.bytes() + features_.capacity() * sizeof(Feature) +
+                      subsegments_.capacity() * sizeof(Subsegment) +
+                      incident_.capacity() * sizeof(incident_[0]) +
+                      (locals_.capacity() + local_first_.capacity()) * sizeof(std::uint32_t);
+  for (const FaceRefinement& face : faces_) bytes += face.bytes();
+  for (const auto& at : incident_) bytes += at.capacity() * sizeof(SubsegmentId);
+  return bytes;
+}
+
+}  // namespace circumball

@@ -1,0 +1,132 @@
+#ifndef CIRCUMBALL_COMPLEX_LIVE3_H_
+#define CIRCUMBALL_COMPLEX_LIVE3_H_
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "circumball/complex.h"
+#include "complex/face_refinement.h"
+#include "complex/subsegment.h"
+#include "delaunay/delaunay3.h"
+
+namespace circumball {
+
+/// A triangle of the refinement of a face. Slots are reused, births are not.
+struct FaceTriangle {
+  std::uint32_t face = kNone;
+  TriangleId id = kNone;
+  std::uint32_t birth = 0;
+};
+
+/// The features of a 3D complex and which of them touch: worked out once, by numbers alone.
+class Incidence3 {
+ public:
+  explicit Incidence3(const Complex& complex);
+
+  /// A run of indices.
+  struct Range {
+    const std::uint32_t *first, *last;
+    const std::uint32_t* begin() const { return first; }
+    const std::uint32_t* end() const { return last; }
+    std::size_t size() const { return static_cast<std::size_t>(last - first); }
+  };
+  /// Vertices of a face: of its loops, of its segments, and isolated ones; ascending.
+  Range vertices_of_face(std::uint32_t face) const { return row(face_vertices_, face); }
+  /// Faces that an input vertex belongs to, and those that an input segment lies in; ascending.
+  Range faces_of_vertex(std::uint32_t v) const { return row(vertex_faces_, v); }
+  Range faces_of_segment(std::uint32_t s) const { return row(segment_faces_, s); }
+  /// Input segments at an input vertex; ascending.
+  Range segments_of_vertex(std::uint32_t v) const { return row(vertex_segments_, v); }
+  bool face_has_vertex(std::uint32_t face, std::uint32_t v) const;
+  bool face_has_segment(std::uint32_t face, std::uint32_t s) const;
+
+ private:
+  struct Table {
+    std::vector<std::uint32_t> first, items;
+  };
+  static Range row(const Table& t, std::uint32_t i) {
+    return {t.items.data() + t.first[i], t.items.data() + t.first[i + 1]};
+  }
+  /// Of pairs (row, item): each row's items ascending, each once.
+  static Table table(std::size_t rows, std::vector<std::array<std::uint32_t, 2>>* pairs);
+
+  Table face_vertices_, vertex_faces_, segment_faces_, vertex_segments_;
+};
+
+/// The live refinement C' = (P', S', F') of a 3D complex (thesis, Definition 2.1.4): the Delaunay
+/// tetrahedralization of all its vertices, its subsegments, and the Delaunay triangulation of each
+/// face.
+class Live3 {
+ public:
+  /// `complex` must be valid (see `check`), with every side of a loop among its segments, and
+  /// outlive this. Nothing is inserted yet.
+  Live3(const Complex& complex, Domain domain);
+
+  const Complex& complex() const { return *complex_; }
+  const Incidence3& incidence() const { return incidence_; }
+  Domain domain() const { return domain_; }
+  Delaunay3& triangulation() { return triangulation_; }
+  const Delaunay3& triangulation() const { return triangulation_; }
+
+  // --- vertices: each knows its feature from its birth
+  const Feature& feature(VertexId v) const { return features_[v.value]; }
+  bool is_input_vertex(VertexId v) const { return feature(v).kind == FeatureKind::kVertex; }
+  /// The corners of the box are the last eight vertices of its complex.
+  bool is_box_corner(VertexId v) const {
+    const auto given = static_cast<std::uint32_t>(complex_->vertices.size());
+    return domain_ == Domain::kBox && v.value < given && v.value + 8 >= given;
+  }
+  /// Appends a vertex (not inserted) with the smallest feature that it lies on.
+  VertexId add_vertex(const Point3& p, Feature feature);
+  /// The faces that a vertex on this feature belongs to.
+  Incidence3::Range faces_of(const Feature& feature) const;
+  bool lies_in_face(VertexId v, std::uint32_t face) const;
+  /// Whether two features are disjoint: in a valid complex exactly when they share no input vertex.
+  bool disjoint(const Feature& f, const Feature& g) const;
+
+  // --- subsegments
+  std::uint32_t subsegment_count() const { return static_cast<std::uint32_t>(subsegments_.size()); }
+  const Subsegment& subsegment(SubsegmentId s) const { return subsegments_[s.value]; }
+  void freeze(SubsegmentId s) { subsegments_[s.value].frozen = true; }
+  const std::vector<SubsegmentId>& subsegments_at(VertexId v) const { return incident_[v.value]; }
+  /// Makes a subsegment of every input segment, and the refinement of every face. After the input
+  /// vertices are in.
+  void create_features();
+  /// Ends s; makes (a, m) and (m, b). m is inserted already.
+  std::array<SubsegmentId, 2> split(SubsegmentId s, VertexId m);
+
+  // --- faces
+  std::uint32_t face_count() const { return static_cast<std::uint32_t>(faces_.size()); }
+  FaceRefinement& face(std::uint32_t f) { return faces_[f]; }
+  const FaceRefinement& face(std::uint32_t f) const { return faces_[f]; }
+  /// The number of v in the refinement of a face that it lies in; invalid elsewhere.
+  VertexId local(VertexId v, std::uint32_t face) const;
+  /// Looks whether p can become a vertex of the refinement of every face that a vertex on this
+  /// feature belongs to; finds their cavities. `near` is a vertex of those faces nearby.
+  bool probe_faces(const Point3& p, const Feature& feature, VertexId near);
+  /// Inserts v into the cavities found by probe_faces for its point and feature.
+  void commit_to_faces(VertexId v);
+
+  std::size_t bytes() const;
+
+ private:
+  void link(SubsegmentId s);
+
+  const Complex* complex_;
+  Incidence3 incidence_;
+  Domain domain_;
+  Delaunay3 triangulation_;
+  std::vector<Feature> features_;
+  std::vector<Subsegment> subsegments_;
+  std::vector<std::vector<SubsegmentId>> incident_;  // by vertex
+  std::vector<FaceRefinement> faces_;
+  std::vector<std::uint32_t> face_numbers_;  // 0, 1, 2, …: the range of one face
+  // For each vertex the numbers that it has in the faces of faces_of(its feature), in that order.
+  std::vector<std::uint32_t> local_first_;
+  std::vector<VertexId> locals_;
+};
+
+}  // namespace circumball
+
+#endif  // CIRCUMBALL_COMPLEX_LIVE3_H_

@@ -1,0 +1,80 @@
+#include "refinement/recorder3.h"
+
+namespace circumball {
+
+Event Recorder3::of(EventKind kind, const FaceTriangle& t) const {
+  Event e = blank(kind);
+  e.dimension = 2;
+  const FaceRefinement& face = live_.face(t.face);
+  const auto& v = face.triangulation().triangle(t.id).v;
+  for (int i = 0; i < 3; ++i) e.simplex[i] = face.global(v[i]).value;
+  e.simplex[3] = t.face;
+  return e;
+}
+
+Event Recorder3::of(EventKind kind, SubsegmentId s) const {
+  Event e = blank(kind);
+  e.dimension = 1;
+  const Subsegment& u = live_.subsegment(s);
+  e.simplex[0] = u.a.value;
+  e.simplex[1] = u.b.value;
+  e.simplex[3] = u.segment.value;
+  return e;
+}
+
+bool Recorder3::append(const Delaunay3::Cell& cell) {
+  for (const VertexId v : cell.v) {
+    if (v == Delaunay3::kGhost) return false;
+  }
+  for (const VertexId v : cell.v) stream_.push_back(v.value);
+  stream_.push_back(kTracedInside);
+  return true;
+}
+
+bool Recorder3::append(std::uint32_t face, const Delaunay2::Triangle& t) {
+  if (Delaunay2::is_ghost(t)) return false;
+  const FaceRefinement& refinement = live_.face(face);
+  for (const VertexId v : t.v) stream_.push_back(refinement.global(v).value);
+  stream_.push_back(kNoIndex);
+  stream_.push_back(face * 4 + (refinement.inside(t) ? kTracedInside : kTracedOutside));
+  return true;
+}
+
+void Recorder3::inserted(Event e, VertexId v, double insertion_radius) {
+  if (!sink_) return;
+  const Delaunay3& dt = live_.triangulation();
+  e.subject = v.value;
+  place(dt.point(v), &e);
+  e.value = insertion_radius;
+  stream_.clear();
+  e.other[0] = e.other[1] = 0;
+  for (const Delaunay3::Cell& cell : dt.died()) e.other[0] += append(cell);
+  for (const CellSlot cell : dt.born()) e.other[1] += append(dt.cell(cell));
+  send_with_stream(e);
+  if (live_.face_count() == 0) return;  // step 0: the faces come at its end
+  for (const std::uint32_t face : live_.faces_of(live_.feature(v))) face_changed(face);
+}
+
+void Recorder3::face_changed(std::uint32_t face) {
+  const Delaunay2& dt = live_.face(face).triangulation();
+  Event e = blank(EventKind::kFaceChanged);
+  e.subject = face;
+  stream_.clear();
+  e.other[0] = e.other[1] = 0;
+  for (const Delaunay2::Triangle& t : dt.died()) e.other[0] += append(face, t);
+  for (const TriangleId t : dt.born()) e.other[1] += append(face, dt.triangle(t));
+  send_with_stream(e);
+}
+
+void Recorder3::face_created(std::uint32_t face) {
+  if (!sink_) return;
+  Event e = blank(EventKind::kFaceChanged);
+  e.subject = face;
+  stream_.clear();
+  e.other[0] = e.other[1] = 0;
+  const Delaunay2& dt = live_.face(face).triangulation();
+  dt.for_each_triangle([&](TriangleId t) { e.other[1] += append(face, dt.triangle(t)); });
+  send_with_stream(e);
+}
+
+}  // namespace circumball
