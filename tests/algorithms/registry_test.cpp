@@ -18,7 +18,8 @@ TEST(Registry, EveryAlgorithmStatesItsFourRulesAndRuns) {
     }
     EXPECT_FALSE(info.checks.empty());
     EXPECT_EQ(find_algorithm(info.id, info.dimension), &info);
-    const auto run = testing::finish(testing::unit_square(), testing::options_of(info.id));
+    const auto run =
+        testing::finish(testing::unit_box(info.dimension), testing::options_of(info.id));
     ASSERT_TRUE(run) << info.id;
     EXPECT_EQ(run->status(), Status::kComplete);
   }
@@ -29,7 +30,8 @@ TEST(Registry, DefaultsOfParametersAreInRangeAndAccepted) {
     for (const ParameterInfo& p : info.parameters) {
       Options options = testing::options_of(info.id);
       options.parameters[p.name] = p.default_value;
-      EXPECT_TRUE(testing::finish(testing::unit_square(), options)) << info.id << " " << p.name;
+      EXPECT_TRUE(testing::finish(testing::unit_box(info.dimension), options))
+          << info.id << " " << p.name;
       EXPECT_FALSE(p.help.empty());
     }
   }

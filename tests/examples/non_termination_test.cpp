@@ -151,7 +151,7 @@ TEST(Pav, EverySplitAtTheCornerShrinksItBySqrtTwo) {
   for (const Event& e : trace.events) {
     if (e.kind == EventKind::kInserted && e.reason == Reason::kMidpoint &&
         (e.simplex[0] == 0 || e.simplex[1] == 0)) {
-      corner.push_back(distance({e.at[0], e.at[1]}, {0, 0}));
+      corner.push_back(distance(Point2{e.at[0], e.at[1]}, Point2{0, 0}));
     }
   }
   ASSERT_GT(corner.size(), 60u);

@@ -47,6 +47,17 @@ inline Complex polygon(const std::vector<Point2>& corners) {
 
 inline Complex unit_square() { return polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}); }
 
+/// The unit cube: 8 vertices, 12 segments, 6 faces.
+inline Complex unit_cube() {
+  Complex empty;
+  empty.dimension = 3;
+  Complex cube = with_box(empty, 1);
+  for (Point3& p : cube.vertices) p = {p.x + 0.5, p.y + 0.5, p.z + 0.5};
+  return cube;
+}
+/// The unit square or the unit cube.
+inline Complex unit_box(int dimension) { return dimension == 2 ? unit_square() : unit_cube(); }
+
 /// Adds a square loop with the given corner and side.
 inline void add_square(Complex* c, double x, double y, double side) {
   const auto n = static_cast<std::uint32_t>(c->vertices.size());

@@ -301,7 +301,7 @@ void read_own(const JsonValue& document, ReadResult& result) {
       return;
   }
   // Where a face refers to a segment that is not listed nothing is added: `check` shall tell of it.
-  if (segments_of_faces_exist(complex)) add_sides(&complex);
+  if (segments_of_faces_exist(complex)) complex = with_sides(complex);
   if (const Json* mesh = document.find("mesh")) {
     if (!read_mesh(document.member(*mesh, "mesh"), result)) return;
     drop_steiner_vertices(*result.mesh, &complex);

@@ -77,7 +77,7 @@ void take_faces(const PolygonSoup& soup, bool merge, ReadResult& result) {
                             soup.corners.begin() + soup.ends[i + 1]);
     complex.faces.push_back(std::move(face));
   }
-  add_sides(&complex);
+  complex = with_sides(complex);
 }
 
 }  // namespace

@@ -54,13 +54,6 @@ class SegmentTable {
   std::unordered_map<std::uint64_t, std::uint32_t, Hash> numbers_;
 };
 
-/// Makes the sides of all faces segments of the complex.
-inline void add_sides(Complex* complex) {
-  if (complex->faces.empty()) return;
-  SegmentTable table(complex);
-  for (const Face& face : complex->faces) table.add_sides(face);
-}
-
 }  // namespace circumball::io
 
 #endif  // CIRCUMBALL_IO_SEGMENT_TABLE_H_

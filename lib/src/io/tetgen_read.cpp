@@ -249,7 +249,7 @@ bool read_complex_of_mesh(const std::string& name, const Sibling& sibling, const
     complex.faces.back().loops.push_back({f.a, f.b, f.c});
   }
   complex.face_markers = facet_markers;
-  add_sides(&complex);
+  complex = with_sides(complex);
   return true;
 }
 
