@@ -12,8 +12,9 @@ namespace circumball {
 /// A line of the plane, by two points.
 struct LineFilter {
   double ax, ay, ux, uy;
+  double grown = 0;  // a distance, within which of the line counts as well
   static LineFilter through(double ax, double ay, double bx, double by) {
-    return {ax, ay, bx - ax, by - ay};
+    return {ax, ay, bx - ax, by - ay, 0};
   }
   bool may_meet(double lo_x, double lo_y, double hi_x, double hi_y) const {
     const double cx = 0.5 * lo_x + 0.5 * hi_x - ax, cy = 0.5 * lo_y + 0.5 * hi_y - ay;
@@ -24,7 +25,7 @@ struct LineFilter {
     const double slack =
         3.6e-15 * (std::fabs(ux) * (std::fabs(lo_y) + std::fabs(hi_y) + std::fabs(ay)) +
                    std::fabs(uy) * (std::fabs(lo_x) + std::fabs(hi_x) + std::fabs(ax)));
-    return side <= reach + slack;
+    return side <= reach + grown * (std::fabs(ux) + std::fabs(uy)) + slack;
   }
 };
 
@@ -37,6 +38,11 @@ struct SegmentFilter {
         x(LineFilter::through(a.y, a.z, b.y, b.z)),
         y(LineFilter::through(a.z, a.x, b.z, b.x)),
         z(LineFilter::through(a.x, a.y, b.x, b.y)) {}
+  /// Makes it a filter for what is within a distance of the segment.
+  void grow(double distance) {
+    box = box.grown(distance);
+    x.grown = y.grown = z.grown = distance;
+  }
   bool may_meet(const Box3& o) const {
     return o.meets(box) && x.may_meet(o.lo_y, o.lo_z, o.hi_y, o.hi_z) &&
            y.may_meet(o.lo_z, o.lo_x, o.hi_z, o.hi_x) && z.may_meet(o.lo_x, o.lo_y, o.hi_x, o.hi_y);
@@ -58,8 +64,7 @@ struct TriangleFilter {
   }
   /// Makes it a filter for what is within a distance of the triangle.
   void grow(double distance) {
-    box = {box.lo_x - distance, box.lo_y - distance, box.lo_z - distance,
-           box.hi_x + distance, box.hi_y + distance, box.hi_z + distance};
+    box = box.grown(distance);
     grown = distance * (std::fabs(n.x) + std::fabs(n.y) + std::fabs(n.z));
   }
   bool may_meet(const Box3& o) const {

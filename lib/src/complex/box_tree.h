@@ -65,6 +65,10 @@ struct Box3 {
     hi_y = std::max(hi_y, o.hi_y);
     hi_z = std::max(hi_z, o.hi_z);
   }
+  /// With a margin on all sides.
+  Box3 grown(double by) const {
+    return {lo_x - by, lo_y - by, lo_z - by, hi_x + by, hi_y + by, hi_z + by};
+  }
   bool meets(const Box3& o) const {
     return lo_x <= o.hi_x && o.lo_x <= hi_x && lo_y <= o.hi_y && o.lo_y <= hi_y && lo_z <= o.hi_z &&
            o.lo_z <= hi_z;

@@ -49,7 +49,7 @@ struct FaceSurface {
 /// kNoIndex.
 using MeetingMap = std::map<std::array<std::uint32_t, 2>, std::uint32_t>;
 struct SpaceMeetings {
-  MeetingMap vertex_on_segment, segments_cross, segments_overlap, segment_in_face;
+  MeetingMap vertex_on_segment, segments_cross, segments_overlap, segment_in_face, vertex_in_face;
   bool incomplete = false;
 };
 

@@ -17,6 +17,7 @@ std::vector<Defect> check(const Complex& complex, std::size_t max_defects) {
     SpaceMeetings meetings;
     const std::vector<FaceSurface> surfaces = check_faces(complex, view, max, &meetings, &defects);
     check_contacts(complex, view, surfaces, max, &meetings, &defects);
+    check_near_contacts(complex, view, surfaces, meetings, max, &defects);
     return defects;
   }
   std::vector<Point2> seeds;

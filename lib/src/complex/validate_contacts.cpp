@@ -92,7 +92,8 @@ class ContactCheck {
                       meetings_.segments_cross.size() > kMaxPairs ||
                       meetings_.segments_overlap.size() > kMaxPairs ||
                       segment_crosses_face_.size() > kMaxPairs || faces_cross_.size() > kMaxPairs ||
-                      faces_overlap_.size() > kMaxPairs || vertex_in_face_.size() > kMaxPairs;
+                      faces_overlap_.size() > kMaxPairs ||
+                      meetings_.vertex_in_face.size() > kMaxPairs;
     if (over) meetings_.incomplete = true;
     return over;
   }
@@ -112,7 +113,7 @@ class ContactCheck {
   BoxTree3 segment_tree_, vertex_tree_, triangle_tree_;
   std::vector<std::uint32_t> vertices_, face_of_, first_;
   std::map<Pair, Point3> segment_crosses_face_, faces_cross_, faces_overlap_;
-  std::set<Pair> vertex_in_face_, duplicate_faces_;
+  std::set<Pair> duplicate_faces_;
   std::vector<std::uint8_t> is_member_;
   std::uint64_t work_ = 0;
 };
@@ -174,7 +175,8 @@ void ContactCheck::look_at_vertices() {
           bool in = contacts_.in_triangle(v, t);
           for (int e = 0; e < 3 && !in; ++e)
             in = (inner(k) >> e & 1) && contacts_.on_segment(v, t[(e + 1) % 3], t[(e + 2) % 3]);
-          if (in && !surfaces_[face_of_[k]].has_member(v)) vertex_in_face_.insert({v, face_of_[k]});
+          if (in && !surfaces_[face_of_[k]].has_member(v))
+            meetings_.vertex_in_face.insert({{v, face_of_[k]}, kNoIndex});
           return true;
         });
   }
@@ -382,12 +384,13 @@ void ContactCheck::tell(std::size_t max, std::vector<Defect>* defects) {
                  point_text(at->at(0), 3) + " to " + point_text(at->at(1), 3) +
                  in_plane(item.second) + ": keep each piece in one of them only";
        });
-  list("vertex-in-face", kV, kF, vertex_in_face_,
-       [&](const Pair& item, Pair* pair, auto* at, std::string* text) {
-         *pair = item;
-         *at = {point(item[0])};
-         *text = name("vertex", item[0]) + " at " + point_text(at->at(0), 3) + " lies in " +
-                 name("face", item[1]) + ", which does not list it: add it to the face's vertices";
+  list("vertex-in-face", kV, kF, meetings_.vertex_in_face,
+       [&](const auto& item, Pair* pair, auto* at, std::string* text) {
+         *pair = item.first;
+         *at = {point(item.first[0])};
+         *text = name("vertex", item.first[0]) + " at " + point_text(at->at(0), 3) + " lies in " +
+                 name("face", item.first[1]) +
+                 ", which does not list it: add it to the face's vertices";
        });
   list("segment-in-face", kS, kF, meetings_.segment_in_face,
        [&](const auto& item, Pair* pair, auto* at, std::string* text) {

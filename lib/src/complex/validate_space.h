@@ -26,6 +26,11 @@ std::vector<FaceSurface> check_faces(const Complex& complex, const SpaceView& vi
 void check_contacts(const Complex& complex, const SpaceView& view,
                     const std::vector<FaceSurface>& surfaces, std::size_t max,
                     SpaceMeetings* meetings, std::vector<Defect>* defects);
+/// Warnings of what nearly meets, closer than 1e-9 of the diameter, and is not in `meetings`:
+/// "vertex-near-segment", "vertex-near-face", "segments-near".
+void check_near_contacts(const Complex& complex, const SpaceView& view,
+                         const std::vector<FaceSurface>& surfaces, const SpaceMeetings& meetings,
+                         std::size_t max, std::vector<Defect>* defects);
 
 }  // namespace circumball
 

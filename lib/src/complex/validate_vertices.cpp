@@ -38,23 +38,30 @@ std::vector<std::uint32_t> sorted_vertices(const Complex& complex) {
   return order;
 }
 
-/// Warns of each pair in which one is the other's nearest: a cluster of n vertices draws at most n
-/// warnings.
-void check_near_duplicates(const Complex& complex, const std::vector<std::uint32_t>& distinct,
-                           std::size_t max, std::vector<Defect>* defects) {
-  if (complex.dimension != 2 || distinct.size() < 2) return;
-  std::vector<Box2> boxes;
+Box2 box_of(const Point3& p, Box2) { return Box2::of(xy(p)); }
+Box3 box_of(const Point3& p, Box3) { return Box3::of(p); }
+Point2 point_of(const Point3& p, Box2) { return xy(p); }
+Point3 point_of(const Point3& p, Box3) { return p; }
+
+/// Pairs closer than kNearDuplicate in which one is the other's nearest, sorted. `Box` is of the
+/// dimension.
+template <class Box>
+std::vector<std::array<std::uint32_t, 2>> near_pairs(const Complex& complex,
+                                                     const std::vector<std::uint32_t>& distinct) {
+  std::vector<Box> boxes;
   boxes.reserve(distinct.size());
-  for (const std::uint32_t v : distinct) boxes.push_back(Box2::of(xy(complex.vertices[v])));
-  Box2 all = boxes[0];
-  for (const Box2& b : boxes) all.extend(b);
-  const double dx = all.hi_x - all.lo_x, dy = all.hi_y - all.lo_y;
-  const double limit2 = (dx * dx + dy * dy) * (kNearDuplicate * kNearDuplicate);
-  const BoxTree tree(std::move(boxes));
+  for (const std::uint32_t v : distinct) boxes.push_back(box_of(complex.vertices[v], Box{}));
+  Box all = boxes[0];
+  for (const Box& b : boxes) all.extend(b);
+  double diameter2 = 0;
+  for (int axis = 0; axis < complex.dimension; ++axis)
+    diameter2 += all.extent(axis) * all.extent(axis);
+  const double limit2 = diameter2 * (kNearDuplicate * kNearDuplicate);
+  const BoxTreeOf<Box> tree(std::move(boxes));
 
   std::vector<std::array<std::uint32_t, 2>> pairs;
   for (std::uint32_t i = 0; i < distinct.size(); ++i) {
-    const Point2 p = xy(complex.vertices[distinct[i]]);
+    const auto p = point_of(complex.vertices[distinct[i]], Box{});
     std::uint32_t best = kNoIndex;
     tree.nearest(
         p, [&](std::uint32_t j) { return tree.box(j).distance2(p); },
@@ -69,6 +76,15 @@ void check_near_duplicates(const Complex& complex, const std::vector<std::uint32
   }
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
+/// A cluster of n vertices draws at most n warnings.
+void check_near_duplicates(const Complex& complex, const std::vector<std::uint32_t>& distinct,
+                           std::size_t max, std::vector<Defect>* defects) {
+  if (distinct.size() < 2) return;
+  const auto pairs = complex.dimension == 2 ? near_pairs<Box2>(complex, distinct)
+                                            : near_pairs<Box3>(complex, distinct);
   DefectList near("near-duplicate-vertices", true, max);
   for (const auto& pair : pairs) {
     if (!near.has_room()) {
@@ -76,7 +92,9 @@ void check_near_duplicates(const Complex& complex, const std::vector<std::uint32
       continue;
     }
     const Point3 &p = complex.vertices[pair[0]], &q = complex.vertices[pair[1]];
-    const double distance = std::sqrt((q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y));
+    const double dz = complex.dimension == 3 ? q.z - p.z : 0;
+    const double distance =
+        std::sqrt((q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y) + dz * dz);
     near.add({{FeatureKind::kVertex, pair[0]}, {FeatureKind::kVertex, pair[1]}}, {p, q},
              "vertices " + std::to_string(pair[0]) + " and " + std::to_string(pair[1]) +
                  " are only " + number_text(distance) +
