@@ -116,13 +116,40 @@ class FaceCheck {
     return found;
   }
 
-  bool is_planar_enough(std::uint32_t f, const FacePlane& plane,
+  /// The unit normal of the plane through a member, the one farthest from it, and the one farthest
+  /// from their line: well-conditioned, where vector areas of a polygon that crosses itself cancel.
+  Point3 spread_normal(const std::vector<std::uint32_t>& members) const {
+    const auto minus = [](const Point3& p, const Point3& q) {
+      return Point3{p.x - q.x, p.y - q.y, p.z - q.z};
+    };
+    const auto dot = [](const Point3& p, const Point3& q) {
+      return p.x * q.x + p.y * q.y + p.z * q.z;
+    };
+    const Point3& a = point(members[0]);
+    Point3 u, n;
+    for (const std::uint32_t v : members) {
+      const Point3 w = minus(point(v), a);
+      if (dot(w, w) > dot(u, u)) u = w;
+    }
+    for (const std::uint32_t v : members) {
+      const Point3 w = minus(point(v), a);
+      const Point3 m = {u.y * w.z - u.z * w.y, u.z * w.x - u.x * w.z, u.x * w.y - u.y * w.x};
+      if (dot(m, m) > dot(n, n)) n = m;
+    }
+    const double length = std::sqrt(dot(n, n));
+    return length > 0 ? Point3{n.x / length, n.y / length, n.z / length} : n;
+  }
+
+  bool is_planar_enough(std::uint32_t f, const Point3& normal,
                         const std::vector<std::uint32_t>& members) {
     double low = 0, high = 0;
+    const Point3& origin = point(members[0]);
     std::uint32_t farthest = members[0];
     Box3 box = Box3::of(point(members[0]));
     for (const std::uint32_t v : members) {
-      const double h = plane.height(point(v));
+      const Point3& p = point(v);
+      const double h =
+          (p.x - origin.x) * normal.x + (p.y - origin.y) * normal.y + (p.z - origin.z) * normal.z;
       if (h < low || h > high) farthest = v;
       low = std::min(low, h);
       high = std::max(high, h);
@@ -177,19 +204,26 @@ class FaceCheck {
   void look(std::uint32_t f, FaceSurface* surface, SpaceMeetings* meetings) {
     if (!loops_are_sound(f)) return;
     const FacePlane plane(complex_, f);
-    if (is_flat(f) || !plane.valid()) {
+    if (is_flat(f)) {
       degenerate_.add({feature(f)}, corners(complex_.faces[f].loops[0]),
                       name(f) +
                           " has no area: its vertices are on a line, or its loops enclose "
                           "nothing; remove it, or correct its vertices");
       return;
     }
-    const FaceProjection projection = FaceProjection::along(plane.normal());
+    FaceProjection projection = FaceProjection::along(plane.normal());
     FaceLayout layout(complex_, f, projection, {});
+    Point3 normal = plane.normal();
+    const Point3 spread = spread_normal(layout.members);
+    const double along = normal.x * spread.x + normal.y * spread.y + normal.z * spread.z;
+    if (!plane.valid() || std::fabs(along) < 0.5) {  // areas cancel
+      normal = spread;
+      projection = FaceProjection::along(normal);
+    }
     surface->members = layout.members;
     surface->projection = projection;
     const std::vector<std::uint32_t> between = between_members(f, layout.members);
-    if (!is_planar_enough(f, plane, layout.members)) return;
+    if (!is_planar_enough(f, normal, layout.members)) return;
     layout = FaceLayout(complex_, f, projection, between);
     tell_unlisted(f, layout);
     bool planar = is_planar(layout);
