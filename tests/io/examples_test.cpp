@@ -56,11 +56,10 @@ TEST(Examples, EachSurvivesJsonAndPolyBitForBit) {
     const std::string file = path(example["file"]);
     const Complex complex = read(slurp(file).value_or(""), file, slurp).complex;
     std::string error;
-    for (const std::string extension : {".json", ".poly"}) {
-      if (complex.dimension == 3 && extension == ".poly") continue;
+    for (const char* extension : {".json", ".poly"}) {
       const auto output = write_complex(complex, extension, &error);
       ASSERT_EQ(output.size(), 1u) << error;
-      const ReadResult back = read(output[0].bytes, "a" + extension);
+      const ReadResult back = read(output[0].bytes, std::string("a") + extension);
       EXPECT_EQ(back.complex.vertices, complex.vertices) << file;
       EXPECT_EQ(back.complex.segments, complex.segments) << file;
     }

@@ -51,7 +51,10 @@ namespace {
 using io_test::files;
 using io_test::folder;
 using io_test::sample_complex;
+using io_test::sample_complex_of_space_mesh;
 using io_test::sample_mesh;
+using io_test::sample_space_complex;
+using io_test::sample_space_mesh;
 using io_test::SplitMix64;
 
 /// Bytes of memory that a byte of a file may cost, and bytes that any file may: JSON's "[]," makes
@@ -74,6 +77,18 @@ std::vector<Seed> seeds() {
     out.push_back({std::string("m") + extension,
                    files(write_mesh(sample_mesh(), sample_complex(), extension, {}, &error), "m")
                        .at(std::string("m") + extension)});
+  for (const char* extension : {".poly", ".json"})
+    out.push_back({std::string("s") + extension,
+                   write_complex(sample_space_complex(), extension, &error).at(0).bytes});
+  for (const char* extension : {".ele", ".json", ".off", ".obj", ".ply", ".stl"})
+    out.push_back({std::string("sm") + extension,
+                   files(write_mesh(sample_space_mesh(), sample_complex_of_space_mesh(), extension,
+                                    {}, &error),
+                         "sm")
+                       .at(std::string("sm") + extension)});
+  out.push_back({"s.smesh", "0 3 0 0\n3 1\n3 1 2 3 7\n2 3\n4 1\n1 4 1\n1\n1 .5 .5 .5\n0\n"});
+  for (const bool big : {false, true}) out.push_back({"b.ply", io_test::binary_ply(big)});
+  out.push_back({"b.stl", io_test::binary_stl(4)});
   out.push_back({"a.poly", "0 2 0 0\n2 0\n1 1 2\n2 2 3\n1\n1 .5 .5\n"});
   out.push_back(
       {"a.geojson", R"({"type":"FeatureCollection","features":[{"type":"Feature","geometry":
@@ -152,6 +167,8 @@ void expect_tame(const std::string& name, const std::string& bytes, const Siblin
     }
     if (r.mesh) {
       for (const std::uint32_t v : r.mesh->cells) ASSERT_LT(v, r.mesh->vertices.size()) << bytes;
+      for (const MeshFacet& f : r.mesh->facets)
+        ASSERT_LT(std::max({f.a, f.b, f.c}), r.mesh->vertices.size()) << bytes;
       for (const MeshEdge& e : r.mesh->edges)
         ASSERT_TRUE(e.a < r.mesh->vertices.size() && e.b < r.mesh->vertices.size()) << bytes;
       ASSERT_TRUE(r.mesh->vertex_features.empty() ||
@@ -161,11 +178,24 @@ void expect_tame(const std::string& name, const std::string& bytes, const Siblin
       ASSERT_TRUE(r.mesh->cell_regions.empty() ||
                   r.mesh->cell_regions.size() == r.mesh->cell_count());
     }
+    sound = sound && std::none_of(numbers.begin(), numbers.end(),
+                                  [](const Defect& d) { return d.name == "index-out-of-range"; });
     std::string error;
-    for (const char* extension : {".poly", ".json", ".obj", ".svg"}) {
+    for (const std::string extension : {".poly", ".json", ".obj", ".svg", ".ply"}) {
       const std::size_t written = write_complex(r.complex, extension, &error).size();
-      ASSERT_EQ(written, sound && (r.complex.dimension == 2 || std::string(".json") == extension))
-          << bytes;
+      const bool space = r.complex.dimension == 3;
+      if (extension == (space ? ".svg" : ".ply") || !sound) {
+        ASSERT_EQ(written, 0u) << bytes;
+      } else if (!space || extension == ".poly" || extension == ".json") {
+        ASSERT_EQ(written, 1u) << bytes;
+      }
+      ASSERT_EQ(written == 0, !error.empty()) << bytes;
+    }
+    if (r.mesh) {
+      for (const std::string& extension : mesh_extensions(r.mesh->dimension)) {
+        ASSERT_FALSE(write_mesh(*r.mesh, r.complex, extension, {}, &error).empty())
+            << extension << bytes;
+      }
     }
   }
   ASSERT_EQ(live_bytes, before);
@@ -175,10 +205,14 @@ TEST(Fuzz, NoMutationOfAValidFileCrashesOrTakesMuchMemory) {
   SplitMix64 random(2009);
   std::string error;
   const auto family = files(write_mesh(sample_mesh(), sample_complex(), ".ele", {}, &error), "m");
+  const auto family_of_space = files(
+      write_mesh(sample_space_mesh(), sample_complex_of_space_mesh(), ".ele", {}, &error), "sm");
   std::size_t accepted = 0, rounds = 0;
   for (const Seed& seed : seeds()) {
     for (int round = 0; round < 2500; ++round, ++rounds) {
       auto siblings = family;
+      siblings.insert(family_of_space.begin(), family_of_space.end());
+      siblings["s.node"] = "4 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n";
       siblings["a.node"] = "3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n";
       const std::string bytes = mutate(seed.bytes, &random);
       std::size_t sibling_bytes = 0;
@@ -233,6 +267,26 @@ TEST(Fuzz, FilesThatTryToBeExpensiveAreNot) {
       repeated("", "-", kSize),
       repeated("1 2 0 0\n1 0 0", "0", kSize),
       repeated("1 2 0 0\n1 0 1e", "9", kSize),
+      repeated("1 3 0 0\n1 0 0 0\n49000 0\n", "1\n1 1\n", kSize),
+      repeated("1 3 0 0\n1 0 0 0\n1 0\n40000\n", "1 1\n", kSize),
+      repeated("4 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n1 0\n1\n90000", " 1 2 3 4", kSize),
+      repeated("4 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n12000 0\n", "1\n3 1 2 3\n", kSize),
+      repeated("v 0 0 1\nv 1 0 1\nv 0 1 1\n", "f 1 2 3\n", kSize),
+      repeated("v 0 0 1\nv 1 0 1\nv 0 1 1\nf 1", " 2 3", kSize),
+      repeated("solid\n",
+               "facet normal 0 0 1 outer loop vertex 0 0 1 vertex 1 0 0 vertex 0 1 0\n"
+               "endloop endfacet\n",
+               kSize) +
+          "endsolid",
+      repeated("solid\nouter loop\n", "vertex 0 0 1\nvertex 1 0 0\n", kSize) +
+          "endloop endfacet\nendsolid",
+      io_test::binary_stl(kSize / 50),
+      repeated("ply\nformat ascii 1.0\n", "element a 0\n", kSize) + "end_header\n",
+      repeated("ply\nformat ascii 1.0\nelement vertex 9\n", "property int x\n", kSize) +
+          "property int y\nend_header\n",
+      repeated("ply\nformat ascii 1.0\nelement vertex 1\nproperty int x\nproperty int y\n"
+               "element face 60000\nproperty list int int vertex_indices\nend_header\n0 0\n",
+               "2 0 0\n", kSize),
   };
   for (const std::string& bytes : cases) {
     expect_tame("a", bytes, nullptr, 0);

@@ -1,6 +1,7 @@
 #ifndef CIRCUMBALL_TESTS_IO_IO_TEST_UTIL_H_
 #define CIRCUMBALL_TESTS_IO_IO_TEST_UTIL_H_
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -90,6 +91,107 @@ inline Mesh sample_mesh() {
                        {FeatureKind::kFree, kNoIndex}};
   m.edges = {{0, 1, 0}, {1, 2, 1}, {2, 3, 2}, {3, 0, kNoIndex}};
   return m;
+}
+
+/// A face with a hole, a segment and a vertex in it, a triangle beside it, a segment that stands
+/// alone, and everything else that a complex of space may carry.
+inline Complex sample_space_complex() {
+  Complex c;
+  c.dimension = 3;
+  c.vertices = {{0, 0, 0},        {3, 0, 0},         {3, 3, 0},          {0, 3, 0},    {1, 1, 0},
+                {2, 1, 0},        {1.5, 2, 0},       {1.0 / 3, 2, 0},    {.5, 2.5, 0}, {2.5, 2, 0},
+                {1e6, 1e-45, 1.}, {-0.1, 5e-324, 9}, {1e22, -1e-7, 1e55}};
+  c.segments = {{3, 2}, {10, 11}, {0, 1}, {1, 2},  {3, 0}, {4, 5},
+                {5, 6}, {6, 4},   {7, 8}, {2, 12}, {12, 3}};
+  c.faces.resize(2);
+  c.faces[0].loops = {{0, 1, 2, 3}, {4, 5, 6}};
+  c.faces[0].holes = {{1.5, 1.25, 0}};
+  c.faces[0].segments = {8};
+  c.faces[0].vertices = {9};
+  c.faces[1].loops = {{3, 2, 12}};
+  c.holes = {{0.1, 0.2, 1.0 / 7}};
+  c.hole_rule = HoleRule::kSeeds;
+  c.regions = {{{0.3, 0.3, -4}, 2, 0.25}, {{4, 4, 1e-9}, -1.5, 0}};
+  c.vertex_markers = {1, 0, -1, 4, 5, 6, 2147483647, -2147483647, 0, 0, 7, 8, 9};
+  c.segment_markers = {3, 2, 1, 0, -1, 7, 0, 0, 5, 0, 0};
+  c.face_markers = {-4, 11};
+  return c;
+}
+
+/// Two tetrahedra over one input face of two facets, with everything that a mesh may carry.
+inline Mesh sample_space_mesh() {
+  Mesh m;
+  m.dimension = 3;
+  m.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {9, 9, 9}, {0.5, 0.5, 0}, {0.1, 0.2, 1}};
+  m.input_vertices = 3;
+  m.box_vertices = 1;
+  m.cells = {0, 4, 1, 5, 0, 2, 4, 5};
+  m.cell_regions = {1.5, 2};
+  m.vertex_features = {{FeatureKind::kVertex, 0},  {FeatureKind::kVertex, 1},
+                       {FeatureKind::kVertex, 2},  {FeatureKind::kVertex, 3},
+                       {FeatureKind::kSegment, 1}, {FeatureKind::kFree, kNoIndex}};
+  m.edges = {{0, 1, 0}, {1, 4, 1}, {4, 2, 1}, {2, 0, kNoIndex}};
+  m.facets = {{0, 1, 4, 0}, {0, 4, 2, 0}, {0, 2, 5, kNoIndex}};
+  m.vertex_markers = {3, 0, -2, 0, 5, 6};
+  m.edge_markers = {8, 0, -9, 1};
+  m.attributes_per_vertex = 2;
+  for (int i = 0; i < 12; ++i) m.vertex_attributes.push_back(1.0 / (i + 3));
+  return m;
+}
+
+/// The complex of that mesh.
+inline Complex sample_complex_of_space_mesh() {
+  Complex c;
+  c.dimension = 3;
+  c.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  c.segments = {{0, 1}, {1, 2}, {2, 0}};
+  c.faces.resize(1);
+  c.faces[0].loops = {{0, 1, 2}};
+  c.face_markers = {17};
+  c.segment_markers = {8, 0, 1};
+  c.hole_rule = HoleRule::kSeeds;
+  return c;
+}
+
+/// A number as its bytes, in either order; little-endian machines only, as all that run the tests.
+inline void put(std::string* out, const void* value, std::size_t size, bool big = false) {
+  std::string bytes(static_cast<const char*>(value), size);
+  if (big) std::reverse(bytes.begin(), bytes.end());
+  *out += bytes;
+}
+
+/// `count` triangles, each with corners of its own.
+inline std::string binary_stl(std::uint32_t count) {
+  std::string out = "solid but binary" + std::string(64, ' ');
+  put(&out, &count, 4);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    out += std::string(12, '\0');
+    for (std::uint32_t k = 0; k < 9; ++k) {
+      const auto x = static_cast<float>((i * 7 + k * k * 5) % 64);
+      put(&out, &x, 4);
+    }
+    out += std::string(2, '\0');
+  }
+  return out;
+}
+
+/// A tetrahedron.
+inline std::string binary_ply(bool big) {
+  std::string out = std::string("ply\nformat binary_") + (big ? "big" : "little") +
+                    "_endian 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+                    "property float z\nelement face 4\nproperty list uchar ushort "
+                    "vertex_indices\nend_header\n";
+  for (int v = 0; v < 4; ++v)
+    for (int k = 0; k < 3; ++k) {
+      const float x = v == k + 1 ? 1.5f : 0;
+      put(&out, &x, 4, big);
+    }
+  for (std::uint16_t skipped = 0; skipped < 4; ++skipped) {
+    out += '\3';
+    for (std::uint16_t v = 0; v < 4; ++v)
+      if (v != skipped) put(&out, &v, 2, big);
+  }
+  return out;
 }
 
 }  // namespace circumball::io_test

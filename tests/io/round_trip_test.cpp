@@ -281,7 +281,7 @@ TEST(Writers, SayWhatTheyCannotDo) {
   EXPECT_NE(error, "");
   Mesh space;
   space.dimension = 3;
-  EXPECT_TRUE(write_mesh(space, {}, ".node", {}, &error).empty());
+  EXPECT_TRUE(write_mesh(space, {}, ".svg", {}, &error).empty());
 }
 
 TEST(Writers, EveryExtensionThatIsListedIsWritten) {

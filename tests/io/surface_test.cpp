@@ -10,6 +10,7 @@ namespace circumball {
 namespace {
 
 using io_test::names;
+using io_test::put;
 
 using Quads = std::vector<std::array<int, 4>>;
 
@@ -94,12 +95,6 @@ std::string ascii_stl(const std::vector<Point3>& vertices,
     text += "  endloop\n endfacet\n";
   }
   return text + "endsolid a thing\n";
-}
-
-void put(std::string* out, const void* value, std::size_t size, bool big = false) {
-  std::string bytes(static_cast<const char*>(value), size);
-  if (big) std::reverse(bytes.begin(), bytes.end());
-  *out += bytes;
 }
 
 std::string binary_stl(const std::vector<Point3>& vertices,
@@ -306,7 +301,7 @@ std::string ply(const std::string& encoding) {
     } else {
       const auto integer = static_cast<std::int32_t>(value);
       const std::size_t size = *type == 'c' ? 1 : *type == 's' ? 2 : 4;
-      put(&text, &integer, size, big);  // little-endian machines only, as all that run the tests
+      put(&text, &integer, size, big);  // of a little-endian machine
     }
   };
   const auto end = [&] {

@@ -59,7 +59,8 @@ struct WriteOptions {
 std::vector<OutputFile> write_mesh(const Mesh& mesh, const Complex& complex,
                                    const std::string& extension, const WriteOptions& options,
                                    std::string* error);
-/// Writes a complex (".poly", ".json", ".obj", ".svg").
+/// Writes a complex: ".json", ".poly", ".node", ".obj", in the plane also ".svg", in space also
+/// ".smesh", ".off" and ".ply" (as ".obj": faces of one loop each).
 std::vector<OutputFile> write_complex(const Complex& complex, const std::string& extension,
                                       std::string* error);
 /// Extensions that `write_mesh` knows, for a dimension.

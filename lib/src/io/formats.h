@@ -61,21 +61,38 @@ bool is_binary_stl(std::string_view bytes);
 void read_stl(std::string_view bytes, const ReadOptions& options, ReadResult& result);
 void read_svg(std::string_view bytes, ReadResult& result);
 
-// Writers of meshes.
-std::vector<OutputFile> write_triangle_mesh(const Mesh& mesh, const Complex& complex);
-std::string write_json_mesh(const Mesh& mesh, const Complex& complex);
-std::string write_vtu(const Mesh& mesh);
-std::string write_msh(const Mesh& mesh, bool version_2);
-std::string write_svg_mesh(const Mesh& mesh);
-std::string write_obj_mesh(const Mesh& mesh);
-std::string write_off(const Mesh& mesh);
+/// The lines of a .node file, or of the first section of a .poly file, numbered from 1. `more`:
+/// empty, or text that follows the marker of each.
+std::string write_nodes(int dimension, const std::vector<Point3>& vertices,
+                        int attributes_per_vertex, const std::vector<double>& attributes,
+                        const std::vector<std::int32_t>& markers,
+                        const std::vector<std::string>& more = {});
 
-// Writers of complexes.
+// Writers of meshes. Markers of faces are the complex's.
+std::vector<OutputFile> write_triangle_mesh(const Mesh& mesh, const Complex& complex);
+std::vector<OutputFile> write_tetgen_mesh(const Mesh& mesh, const Complex& complex);
+std::string write_json_mesh(const Mesh& mesh, const Complex& complex);
+std::string write_vtu(const Mesh& mesh, const Complex& complex);
+std::string write_vtk(const Mesh& mesh, const Complex& complex);
+std::string write_msh(const Mesh& mesh, const Complex& complex, bool version_2);
+std::string write_medit(const Mesh& mesh, const Complex& complex);
+std::string write_svg_mesh(const Mesh& mesh);
+// Of a mesh of space its surface: the facets on input faces, or the hull where there are none.
+std::string write_obj_mesh(const Mesh& mesh);
+std::string write_off_mesh(const Mesh& mesh);
+std::string write_ply_mesh(const Mesh& mesh);
+std::string write_stl_mesh(const Mesh& mesh);
+
+// Writers of complexes. Where the format cannot hold it, they return nothing and set the error.
 std::string write_triangle_node(const Complex& complex);
 std::string write_triangle_poly(const Complex& complex);
+std::string write_tetgen_poly(const Complex& complex);
+std::string write_tetgen_smesh(const Complex& complex, std::string* error);
 std::string write_json_complex(const Complex& complex);
-std::string write_obj_complex(const Complex& complex);
 std::string write_svg_complex(const Complex& complex);
+std::string write_obj_complex(const Complex& complex, std::string* error);
+std::string write_off_complex(const Complex& complex, std::string* error);
+std::string write_ply_complex(const Complex& complex, std::string* error);
 
 }  // namespace circumball::io
 

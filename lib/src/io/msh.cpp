@@ -1,14 +1,16 @@
 #include <algorithm>
+#include <functional>
 #include <limits>
 
 #include "io/formats.h"
+#include "io/mesh_parts.h"
 
 // Gmsh's MSH format, ASCII, versions 4.1 and 2.2 (Gmsh Reference Manual, "Gmsh mesh file formats").
 namespace circumball::io {
 namespace {
 
 /// Types of elements in Gmsh.
-constexpr int kLine = 1, kTriangle = 2;
+constexpr int kLine = 1, kTriangle = 2, kTetrahedron = 4;
 
 /// One physical group: its tag, its name, and its elements.
 struct Group {
@@ -44,140 +46,156 @@ std::vector<Group> group_by(std::size_t count, Key key, const std::string& what)
   return groups;
 }
 
-/// Subsegments by marker, or where there are none by input segment (numbered from 1; 0: none that
-/// is known).
-std::vector<Group> curves(const Mesh& mesh) {
-  if (!mesh.edge_markers.empty())
+/// The elements of one dimension: lines, then triangles, then tetrahedra.
+struct Layer {
+  int dimension, type;
+  std::vector<Group> groups;
+  std::function<std::vector<std::uint32_t>(std::size_t)> vertices;  ///< of element i
+};
+
+/// Elements by marker, or where there are no markers by input feature (numbered from 1; 0: none
+/// that is known).
+template <class Marker, class Feature>
+std::vector<Group> by_marker_or(const std::string& what, std::size_t count, bool marked,
+                                Marker marker, Feature feature) {
+  if (marked)
     return group_by(
-        mesh.edges.size(), [&](std::size_t i) { return static_cast<double>(mesh.edge_markers[i]); },
-        "marker");
+        count, [&](std::size_t i) { return static_cast<double>(marker(i)); }, "marker");
   return group_by(
-      mesh.edges.size(),
+      count,
       [&](std::size_t i) {
-        const std::uint32_t s = mesh.edges[i].segment;
-        return s == kNoIndex ? 0.0 : static_cast<double>(s) + 1;
+        const std::uint32_t f = feature(i);
+        return f == kNoIndex ? 0.0 : static_cast<double>(f) + 1;
       },
-      "segment");
+      what);
 }
 
-std::vector<Group> surfaces(const Mesh& mesh) {
-  return group_by(
-      mesh.cell_count(),
-      [&](std::size_t i) {
-        const double label = mesh.cell_regions.empty() ? 0 : mesh.cell_regions[i];
-        return label == label ? label : 0;  // NaN has no place in an order
-      },
-      "region");
+std::vector<Layer> layers_of(const Mesh& mesh, const Complex& complex) {
+  std::vector<Layer> out;
+  out.push_back({1, kLine,
+                 by_marker_or(
+                     "segment", mesh.edges.size(), !mesh.edge_markers.empty(),
+                     [&](std::size_t i) { return mesh.edge_markers[i]; },
+                     [&](std::size_t i) { return mesh.edges[i].segment; }),
+                 [&](std::size_t i) {
+                   return std::vector<std::uint32_t>{mesh.edges[i].a, mesh.edges[i].b};
+                 }});
+  if (mesh.dimension == 3)
+    out.push_back({2, kTriangle,
+                   by_marker_or(
+                       "face", mesh.facets.size(), !complex.face_markers.empty(),
+                       [&](std::size_t i) { return facet_marker(mesh.facets[i], complex); },
+                       [&](std::size_t i) { return mesh.facets[i].face; }),
+                   [&](std::size_t i) {
+                     const MeshFacet& f = mesh.facets[i];
+                     return std::vector<std::uint32_t>{f.a, f.b, f.c};
+                   }});
+  const auto region = [&](std::size_t i) {
+    const double label = mesh.cell_regions.empty() ? 0 : mesh.cell_regions[i];
+    return label == label ? label : 0;  // NaN has no place in an order
+  };
+  out.push_back({mesh.dimension, mesh.dimension == 2 ? kTriangle : kTetrahedron,
+                 group_by(mesh.cell_count(), region, "region"), [&](std::size_t i) {
+                   const auto c = right_handed(mesh, i);
+                   return std::vector<std::uint32_t>(c.begin(), c.begin() + mesh.dimension + 1);
+                 }});
+  return out;
 }
 
-std::string ends(const Mesh& mesh, std::size_t edge) {
-  return " " + std::to_string(std::size_t{mesh.edges[edge].a} + 1) + " " +
-         std::to_string(std::size_t{mesh.edges[edge].b} + 1) + "\n";
-}
-
-std::string corners(const Mesh& mesh, std::size_t cell) {
+std::string numbers(const std::vector<std::uint32_t>& vertices) {
   std::string out;
-  for (int k = 0; k < 3; ++k) out += " " + std::to_string(std::size_t{mesh.cell(cell)[k]} + 1);
+  for (const std::uint32_t v : vertices) out += " " + std::to_string(std::size_t{v} + 1);
   return out + "\n";
 }
 
-std::string point(const Point3& p) {
-  return format_double(p.x) + " " + format_double(p.y) + " " + format_double(p.z);
-}
-
 /// Bounding box of an entity as "minX minY minZ maxX maxY maxZ".
-template <class Members, class Vertices>
-std::string box(const Mesh& mesh, const Members& members, Vertices vertices_of) {
+std::string box(const Mesh& mesh, const Layer& layer, const Group& group) {
   Point3 low, high;
   bool any = false;
-  for (const std::size_t i : members)
-    for (const std::uint32_t v : vertices_of(i)) {
+  for (const std::size_t i : group.members)
+    for (const std::uint32_t v : layer.vertices(i)) {
       const Point3& p = mesh.vertices[v];
       low = any ? Point3{std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)} : p;
       high = any ? Point3{std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)} : p;
       any = true;
     }
-  return point(low) + " " + point(high);
+  return coordinates(low) + " " + coordinates(high);
 }
 
-std::string names(const std::vector<Group>& lines, const std::vector<Group>& cells) {
-  std::string out = "$PhysicalNames\n" + std::to_string(lines.size() + cells.size()) + "\n";
-  for (const Group& g : lines) out += "1 " + std::to_string(g.tag) + " \"" + g.name + "\"\n";
-  for (const Group& g : cells) out += "2 " + std::to_string(g.tag) + " \"" + g.name + "\"\n";
-  return out + "$EndPhysicalNames\n";
+std::size_t element_count(const std::vector<Layer>& layers) {
+  std::size_t count = 0;
+  for (const Layer& layer : layers)
+    for (const Group& g : layer.groups) count += g.members.size();
+  return count;
 }
 
-std::string version_2(const Mesh& mesh, const std::vector<Group>& lines,
-                      const std::vector<Group>& cells) {
+std::string names(const std::vector<Layer>& layers) {
+  std::size_t count = 0;
+  std::string out;
+  for (const Layer& layer : layers)
+    for (const Group& g : layer.groups) {
+      ++count;
+      out +=
+          std::to_string(layer.dimension) + " " + std::to_string(g.tag) + " \"" + g.name + "\"\n";
+    }
+  return "$PhysicalNames\n" + std::to_string(count) + "\n" + out + "$EndPhysicalNames\n";
+}
+
+std::string version_2(const Mesh& mesh, const std::vector<Layer>& layers) {
   std::string out = "$Nodes\n" + std::to_string(mesh.vertices.size()) + "\n";
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
-    out += std::to_string(i + 1) + " " + point(mesh.vertices[i]) + "\n";
-  out += "$EndNodes\n$Elements\n" + std::to_string(mesh.edges.size() + mesh.cell_count()) + "\n";
+    out += std::to_string(i + 1) + " " + coordinates(mesh.vertices[i]) + "\n";
+  out += "$EndNodes\n$Elements\n" + std::to_string(element_count(layers)) + "\n";
   std::size_t number = 0;
-  const auto head = [&](int type, const Group& g) {  // two tags: physical and elementary entity
-    const std::string tag = " " + std::to_string(g.tag);
-    return std::to_string(++number) + " " + std::to_string(type) + " 2" + tag + tag;
-  };
-  for (const Group& g : lines)
-    for (const std::size_t i : g.members) out += head(kLine, g) + ends(mesh, i);
-  for (const Group& g : cells)
-    for (const std::size_t i : g.members) out += head(kTriangle, g) + corners(mesh, i);
+  for (const Layer& layer : layers)
+    for (const Group& g : layer.groups)
+      for (const std::size_t i : g.members) {
+        const std::string tag = " " + std::to_string(g.tag);
+        // Two tags: physical and elementary entity.
+        out += std::to_string(++number) + " " + std::to_string(layer.type) + " 2" + tag + tag +
+               numbers(layer.vertices(i));
+      }
   return out + "$EndElements\n";
 }
 
-std::string version_4(const Mesh& mesh, const std::vector<Group>& lines,
-                      const std::vector<Group>& cells) {
-  std::string out =
-      "$Entities\n0 " + std::to_string(lines.size()) + " " + std::to_string(cells.size()) + " 0\n";
-  for (const Group& g : lines)
-    out += std::to_string(g.tag) + " " +
-           box(mesh, g.members,
-               [&](std::size_t i) {
-                 return std::array<std::uint32_t, 2>{mesh.edges[i].a, mesh.edges[i].b};
-               }) +
-           " 1 " + std::to_string(g.tag) + " 0\n";
-  for (const Group& g : cells)
-    out += std::to_string(g.tag) + " " +
-           box(mesh, g.members,
-               [&](std::size_t i) {
-                 return std::array<std::uint32_t, 3>{mesh.cell(i)[0], mesh.cell(i)[1],
-                                                     mesh.cell(i)[2]};
-               }) +
-           " 1 " + std::to_string(g.tag) + " 0\n";
+std::string version_4(const Mesh& mesh, const std::vector<Layer>& layers) {
+  std::size_t entities[4] = {0, 0, 0, 0};
+  for (const Layer& layer : layers) entities[layer.dimension] = layer.groups.size();
+  std::string out = "$Entities\n0 " + std::to_string(entities[1]) + " " +
+                    std::to_string(entities[2]) + " " + std::to_string(entities[3]) + "\n";
+  // All nodes belong to one entity: the first of the highest dimension that has any.
+  std::string owner = "1 1";
+  for (const Layer& layer : layers) {
+    for (const Group& g : layer.groups)
+      out += std::to_string(g.tag) + " " + box(mesh, layer, g) + " 1 " + std::to_string(g.tag) +
+             " 0\n";
+    if (!layer.groups.empty())
+      owner = std::to_string(layer.dimension) + " " + std::to_string(layer.groups[0].tag);
+  }
   const std::string n = std::to_string(mesh.vertices.size());
-  // All nodes belong to one entity: the first surface, or the first curve where there is none.
-  const bool surface = !cells.empty();
-  const std::int64_t owner = surface ? cells[0].tag : lines.empty() ? 1 : lines[0].tag;
-  out += "$EndEntities\n$Nodes\n1 " + n + " 1 " + n + "\n" + (surface ? "2 " : "1 ") +
-         std::to_string(owner) + " 0 " + n + "\n";
+  out += "$EndEntities\n$Nodes\n1 " + n + " 1 " + n + "\n" + owner + " 0 " + n + "\n";
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) out += std::to_string(i + 1) + "\n";
-  for (const Point3& p : mesh.vertices) out += point(p) + "\n";
-  const std::string count = std::to_string(mesh.edges.size() + mesh.cell_count());
-  out += "$EndNodes\n$Elements\n" + std::to_string(lines.size() + cells.size()) + " " + count +
-         " 1 " + count + "\n";
+  for (const Point3& p : mesh.vertices) out += coordinates(p) + "\n";
+  const std::string count = std::to_string(element_count(layers));
+  out += "$EndNodes\n$Elements\n" + std::to_string(entities[1] + entities[2] + entities[3]) + " " +
+         count + " 1 " + count + "\n";
   std::size_t number = 0;
-  const auto block = [&](const char* dimension, int type, const Group& g) {
-    return dimension + std::to_string(g.tag) + " " + std::to_string(type) + " " +
-           std::to_string(g.members.size()) + "\n";
-  };
-  for (const Group& g : lines) {
-    out += block("1 ", kLine, g);
-    for (const std::size_t i : g.members) out += std::to_string(++number) + ends(mesh, i);
-  }
-  for (const Group& g : cells) {
-    out += block("2 ", kTriangle, g);
-    for (const std::size_t i : g.members) out += std::to_string(++number) + corners(mesh, i);
-  }
+  for (const Layer& layer : layers)
+    for (const Group& g : layer.groups) {
+      out += std::to_string(layer.dimension) + " " + std::to_string(g.tag) + " " +
+             std::to_string(layer.type) + " " + std::to_string(g.members.size()) + "\n";
+      for (const std::size_t i : g.members)
+        out += std::to_string(++number) + numbers(layer.vertices(i));
+    }
   return out + "$EndElements\n";
 }
 
 }  // namespace
 
-std::string write_msh(const Mesh& mesh, bool old) {
-  const std::vector<Group> lines = curves(mesh), cells = surfaces(mesh);
+std::string write_msh(const Mesh& mesh, const Complex& complex, bool old) {
+  const std::vector<Layer> layers = layers_of(mesh, complex);
   return std::string("$MeshFormat\n") + (old ? "2.2" : "4.1") + " 0 8\n$EndMeshFormat\n" +
-         names(lines, cells) +
-         (old ? version_2(mesh, lines, cells) : version_4(mesh, lines, cells));
+         names(layers) + (old ? version_2(mesh, layers) : version_4(mesh, layers));
 }
 
 }  // namespace circumball::io

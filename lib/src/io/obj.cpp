@@ -2,6 +2,7 @@
 
 #include "io/formats.h"
 #include "io/lines.h"
+#include "io/mesh_parts.h"
 #include "io/numbers.h"
 #include "io/polygon_soup.h"
 
@@ -88,28 +89,40 @@ void read_obj(std::string_view bytes, const ReadOptions& options, ReadResult& re
   take_soup(std::move(soup), options, result);
 }
 
-std::string write_obj_complex(const Complex& complex) {
+namespace {
+
+/// "f 1 2 3" or "l 1 2".
+template <class Vertices>
+std::string element(const char* keyword, const Vertices& vertices) {
+  std::string out = keyword;
+  for (const std::uint32_t v : vertices) out += " " + std::to_string(std::size_t{v} + 1);
+  return out + "\n";
+}
+
+}  // namespace
+
+std::string write_obj_complex(const Complex& complex, std::string* error) {
+  if (!only_polygons(complex, error)) return {};
   std::string out;
-  for (const Point3& p : complex.vertices)
-    out += "v " + format_double(p.x) + " " + format_double(p.y) + " " + format_double(p.z) + "\n";
-  for (const auto& s : complex.segments)
-    out += "l " + std::to_string(std::size_t{s[0]} + 1) + " " +
-           std::to_string(std::size_t{s[1]} + 1) + "\n";
+  for (const Point3& p : complex.vertices) out += "v " + coordinates(p) + "\n";
+  for (const Face& face : complex.faces) out += element("f", face.loops[0]);
+  for (const std::uint32_t s : segments_of_no_face(complex))
+    out += element("l", complex.segments[s]);
   return out;
 }
 
 std::string write_obj_mesh(const Mesh& mesh) {
+  const MeshSurface surface = surface_of(mesh);
   std::string out;
-  for (const Point3& p : mesh.vertices)
-    out += "v " + format_double(p.x) + " " + format_double(p.y) + " " + format_double(p.z) + "\n";
-  for (std::size_t i = 0; i < mesh.cell_count(); ++i) {
-    out += "f";
-    for (int k = 0; k < 3; ++k) out += " " + std::to_string(std::size_t{mesh.cell(i)[k]} + 1);
-    out += "\n";
+  for (const Point3& p : surface.vertices) out += "v " + coordinates(p) + "\n";
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
+    const std::uint32_t face = surface.faces[i];
+    if (face != kNoIndex && (i == 0 || face != surface.faces[i - 1]))
+      out += "g face_" + std::to_string(face) + "\n";
+    out += element("f", surface.triangles[i]);
   }
-  for (const MeshEdge& e : mesh.edges)
-    out += "l " + std::to_string(std::size_t{e.a} + 1) + " " +
-           std::to_string(std::size_t{e.b} + 1) + "\n";
+  for (const MeshEdge& e : surface.edges)
+    out += element("l", std::array<std::uint32_t, 2>{e.a, e.b});
   return out;
 }
 

@@ -1,5 +1,6 @@
 #include "io/formats.h"
 #include "io/lines.h"
+#include "io/mesh_parts.h"
 #include "io/numbers.h"
 #include "io/polygon_soup.h"
 
@@ -74,16 +75,37 @@ void read_off(std::string_view bytes, const ReadOptions& options, ReadResult& re
   take_soup(std::move(soup), options, result);
 }
 
-std::string write_off(const Mesh& mesh) {
-  std::string out = "OFF\n" + std::to_string(mesh.vertices.size()) + " " +
-                    std::to_string(mesh.cell_count()) + " 0\n";
-  for (const Point3& p : mesh.vertices)
-    out += format_double(p.x) + " " + format_double(p.y) + " " + format_double(p.z) + "\n";
-  for (std::size_t i = 0; i < mesh.cell_count(); ++i) {
-    out += "3";
-    for (int k = 0; k < 3; ++k) out += " " + std::to_string(mesh.cell(i)[k]);
-    out += "\n";
-  }
+namespace {
+
+template <class Polygon>
+std::string polygon(const Polygon& corners) {
+  std::string out = std::to_string(corners.size());
+  for (const std::uint32_t v : corners) out += " " + std::to_string(v);
+  return out + "\n";
+}
+
+std::string head(const std::vector<Point3>& vertices, std::size_t polygons) {
+  std::string out =
+      "OFF\n" + std::to_string(vertices.size()) + " " + std::to_string(polygons) + " 0\n";
+  for (const Point3& p : vertices) out += coordinates(p) + "\n";
+  return out;
+}
+
+}  // namespace
+
+std::string write_off_mesh(const Mesh& mesh) {
+  const MeshSurface surface = surface_of(mesh);
+  std::string out = head(surface.vertices, surface.triangles.size());
+  for (const auto& t : surface.triangles) out += polygon(t);
+  return out;
+}
+
+std::string write_off_complex(const Complex& complex, std::string* error) {
+  if (!only_polygons(complex, error)) return {};
+  const std::vector<std::uint32_t> lines = segments_of_no_face(complex);
+  std::string out = head(complex.vertices, complex.faces.size() + lines.size());
+  for (const Face& face : complex.faces) out += polygon(face.loops[0]);
+  for (const std::uint32_t s : lines) out += polygon(complex.segments[s]);
   return out;
 }
 

@@ -9,25 +9,6 @@ namespace {
 
 std::string number(std::size_t n) { return std::to_string(n); }
 
-/// The lines of a .node file, or of the first section of a .poly file.
-std::string nodes(const std::vector<Point3>& vertices, int attributes_per_vertex,
-                  const std::vector<double>& all_attributes,
-                  const std::vector<std::int32_t>& markers) {
-  auto attributes = static_cast<std::size_t>(std::max(attributes_per_vertex, 0));
-  if (all_attributes.size() != attributes * vertices.size()) attributes = 0;
-  const bool marked = !vertices.empty() && markers.size() == vertices.size();
-  std::string out =
-      number(vertices.size()) + " 2 " + number(attributes) + (marked ? " 1\n" : " 0\n");
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    out += number(i + 1) + " " + format_double(vertices[i].x) + " " + format_double(vertices[i].y);
-    for (std::size_t k = 0; k < attributes; ++k)
-      out += " " + format_double(all_attributes[i * attributes + k]);
-    if (marked) out += " " + std::to_string(markers[i]);
-    out += "\n";
-  }
-  return out;
-}
-
 /// The sections of a .poly file after its vertices. `segment(i)` gives the ends of segment i.
 template <class Segment>
 std::string segments_and_seeds(std::size_t count, Segment segment,
@@ -112,9 +93,31 @@ std::string edges(const Mesh& mesh) {
 
 }  // namespace
 
+std::string write_nodes(int dimension, const std::vector<Point3>& vertices,
+                        int attributes_per_vertex, const std::vector<double>& all_attributes,
+                        const std::vector<std::int32_t>& markers,
+                        const std::vector<std::string>& more) {
+  auto attributes = static_cast<std::size_t>(std::max(attributes_per_vertex, 0));
+  if (all_attributes.size() != attributes * vertices.size()) attributes = 0;
+  const bool has_markers = !vertices.empty() && markers.size() == vertices.size();
+  const bool has_more = !vertices.empty() && more.size() == vertices.size();
+  std::string out = number(vertices.size()) + " " + std::to_string(dimension) + " " +
+                    number(attributes) + (has_markers || has_more ? " 1\n" : " 0\n");
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    out += number(i + 1) + " " + format_double(vertices[i].x) + " " + format_double(vertices[i].y);
+    if (dimension == 3) out += " " + format_double(vertices[i].z);
+    for (std::size_t k = 0; k < attributes; ++k)
+      out += " " + format_double(all_attributes[i * attributes + k]);
+    if (has_markers || has_more) out += " " + std::to_string(has_markers ? markers[i] : 0);
+    if (has_more) out += more[i];
+    out += "\n";
+  }
+  return out;
+}
+
 std::string write_triangle_node(const Complex& complex) {
-  return nodes(complex.vertices, complex.attributes_per_vertex, complex.vertex_attributes,
-               complex.vertex_markers);
+  return write_nodes(2, complex.vertices, complex.attributes_per_vertex, complex.vertex_attributes,
+                     complex.vertex_markers);
 }
 
 std::string write_triangle_poly(const Complex& complex) {
@@ -128,8 +131,8 @@ std::vector<OutputFile> write_triangle_mesh(const Mesh& mesh, const Complex& com
   const auto subsegment = [&](std::size_t i) {
     return std::array<std::uint32_t, 2>{mesh.edges[i].a, mesh.edges[i].b};
   };
-  return {{".node", nodes(mesh.vertices, mesh.attributes_per_vertex, mesh.vertex_attributes,
-                          mesh.vertex_markers)},
+  return {{".node", write_nodes(2, mesh.vertices, mesh.attributes_per_vertex,
+                                mesh.vertex_attributes, mesh.vertex_markers)},
           {".ele", elements(mesh)},
           {".poly", "0 2 0 0\n" + segments_and_seeds(mesh.edges.size(), subsegment,
                                                      mesh.edge_markers, complex)},
