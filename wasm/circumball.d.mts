@@ -6,6 +6,12 @@ export interface ComplexJson {
   dimension: 2 | 3;
   vertices: number[][];
   segments?: [number, number][];
+  faces?: {
+    loops: number[][];
+    holes?: number[][];
+    segments?: number[];
+    vertices?: number[];
+  }[];
   holes?: number[][];
   regions?: { at: number[]; label: number; max?: number }[];
   markers?: { vertices?: number[]; segments?: number[]; faces?: number[] };
@@ -262,6 +268,11 @@ export interface CircumballModule {
   /** `files[0]` is read; the others are its siblings (.node beside .poly). */
   read(files: { name: string; bytes: Uint8Array }[]): ReadAnswer;
   check(complex: string): Defect[];
+  /**
+   * Fills the faces of a complex of space: four numbers a triangle, three vertices (counter-clockwise about the face's normal) and
+   * the face. A face that is no polygon has none.
+   */
+  faceTriangles(complex: string): Uint32Array;
   /** At `points`, two coordinates each. The last complex is kept, so that asking about it again is fast. */
   featureSizes(complex: string, points: Float64Array): FeatureSizesAnswer;
   /** Starts a run with a recording sink; `complex` and `options` are JSON. */

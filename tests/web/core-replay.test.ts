@@ -5,7 +5,8 @@ import { beforeAll, describe, expect, it } from 'vitest';
 import { complexFromJson, complexToText } from '../../web/src/core/complex-json.ts';
 import { momentAt } from '../../web/src/replay/moment.ts';
 import { Replay } from '../../web/src/replay/replay.ts';
-import { canonical, Trace } from '../../web/src/replay/trace.ts';
+import { canonical } from '../../web/src/replay/lives.ts';
+import { Trace } from '../../web/src/replay/trace.ts';
 import { Label } from '../../web/src/shared/types.ts';
 import { exampleFiles } from './core-run.ts';
 import { random } from './small-trace.ts';
@@ -38,10 +39,10 @@ function run(file: string, algorithm: string, slice: number) {
 function liveInside(replay: Replay): string[] {
   const s = replay.state();
   const names: string[] = [];
-  for (let i = 0; i < s.liveTriangleCount; i++) {
-    const n = s.liveTriangles[i]!;
-    if (s.triangleLabel[n] !== Label.outside) {
-      names.push(s.triangles.subarray(3 * n, 3 * n + 3).join());
+  for (let i = 0; i < s.liveCellCount; i++) {
+    const n = s.liveCells[i]!;
+    if (s.cellLabel[n] !== Label.outside) {
+      names.push(s.cells.subarray(3 * n, 3 * n + 3).join());
     }
   }
   return names.sort();

@@ -80,7 +80,7 @@ describe('a function moved to another input', () => {
 describe('a mesh between picture and core', () => {
   it('leaves out what lies outside, and names each cell by its triangle', () => {
     const state = lattice(4);
-    state.triangleLabel[0] = Label.outside;
+    state.cellLabel[0] = Label.outside;
     const { mesh, numbers } = meshOf(state);
     expect(numbers.length).toBe(31);
     expect(numbers[0]).toBe(1);
@@ -97,7 +97,7 @@ describe('a mesh between picture and core', () => {
     const before = core.femInterpolate(mesh!, 'sin(x)*y');
     const after = core.femInterpolate(again, 'sin(x)*y');
     expect(after.h1).toBe(before.h1);
-    expect(state.liveTriangleCount).toBe(before.size.cells);
+    expect(state.liveCellCount).toBe(before.size.cells);
   });
 });
 

@@ -19,6 +19,7 @@ const size = { width: 400, height: 300 };
 const view = fitView({ minX: 0, minY: 0, maxX: 1, maxY: 1 }, size);
 
 const moment: Moment = {
+  dimension: 2,
   kind: 'yielded',
   rule: 'action',
   simplex: [0, 1, 6],

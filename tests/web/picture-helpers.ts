@@ -48,22 +48,24 @@ export function lattice(n: number): MeshState {
   const last = vertices - 1;
   const subsegments = [0, n, 0, n, last, 1, last, last - n, 2, last - n, 0, 3];
   return {
+    dimension: 2,
     position: 1,
     vertexCount: vertices,
     coordinates: Float64Array.from(coordinates),
     vertexKind: new Uint8Array(vertices).fill(4),
     vertexBorn: new Uint32Array(vertices),
     vertexStep: new Uint8Array(vertices),
-    triangleCount: count,
-    triangles: Uint32Array.from(triangles),
-    triangleLabel: new Uint8Array(count).fill(1),
-    triangleBorn: new Uint32Array(count),
-    triangleDied: new Uint32Array(count).fill(NEVER),
-    liveTriangles: Uint32Array.from({ length: count }, (_, i) => i),
-    liveTriangleCount: count,
+    cellCount: count,
+    cells: Uint32Array.from(triangles),
+    cellLabel: new Uint8Array(count).fill(1),
+    cellBorn: new Uint32Array(count),
+    cellDied: new Uint32Array(count).fill(NEVER),
+    liveCells: Uint32Array.from({ length: count }, (_, i) => i),
+    liveCellCount: count,
     subsegments: Uint32Array.from(subsegments),
     subsegmentBorn: new Uint32Array(4),
     liveSubsegments: Uint32Array.from([0, 1, 2, 3]),
     liveSubsegmentCount: 4,
+    facets: null,
   };
 }

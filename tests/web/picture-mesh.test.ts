@@ -51,7 +51,7 @@ describe('model', () => {
     moved.coordinates[12] = 0.123;
     const difference = model.sync(moved);
     expect(difference.restarted).toBe(true);
-    expect(difference.triangleSlots).toHaveLength(state.liveTriangleCount);
+    expect(difference.triangleSlots).toHaveLength(state.liveCellCount);
     expect(model.coordinates[12]).toBe(0.123);
   });
 
@@ -60,7 +60,7 @@ describe('model', () => {
     const state = lattice(3);
     model.sync(state);
     state.coordinates.fill(9);
-    state.triangles.fill(0);
+    state.cells.fill(0);
     expect(model.bounds).toEqual({ minX: 0, minY: 0, maxX: 1, maxY: 1 });
     expect(new Set(model.triangles.subarray(0, 3)).size).toBe(3);
   });
@@ -76,7 +76,7 @@ describe('model', () => {
     unknown.vertexBorn[15] = NEVER;
     unknown.coordinates[30] = 0;
     unknown.coordinates[31] = 0;
-    const fewer: MeshState = { ...unknown, liveTriangleCount: state.liveTriangleCount - 2 };
+    const fewer: MeshState = { ...unknown, liveCellCount: state.liveCellCount - 2 };
     model.sync(fewer);
     const difference = model.sync(state);
     expect(difference.restarted).toBe(false);
@@ -94,7 +94,7 @@ describe('picking', () => {
     const hit = pickMesh(scene.model, [0.5 + 0.1, 0.5 + 0.05], 400, reach, true);
     expect(hit.vertex).toBeNull();
     const t = hit.triangle!;
-    const corners = [0, 1, 2].map((k) => state.triangles[3 * t + k]!);
+    const corners = [0, 1, 2].map((k) => state.cells[3 * t + k]!);
     expect(corners).toContain(12); // the middle of the lattice
     expect(pickMesh(scene.model, [0.501, 0.5], 400, reach, true).vertex).toBe(12);
     expect(pickMesh(scene.model, [0.4, 0.001], 400, reach, true).subsegment).toBe(0);
@@ -105,12 +105,12 @@ describe('picking', () => {
     const scene = new Scene(theme);
     const state = lattice(20);
     scene.model.sync(state);
-    for (let t = 0; t < state.liveTriangleCount; t += 7) {
+    for (let t = 0; t < state.liveCellCount; t += 7) {
       let x = 0;
       let y = 0;
       for (let k = 0; k < 3; ++k) {
-        x += state.coordinates[2 * state.triangles[3 * t + k]!]! / 3;
-        y += state.coordinates[2 * state.triangles[3 * t + k]! + 1]! / 3;
+        x += state.coordinates[2 * state.cells[3 * t + k]!]! / 3;
+        y += state.coordinates[2 * state.cells[3 * t + k]! + 1]! / 3;
       }
       expect(pickMesh(scene.model, [x, y], 1e6, { vertex: 1, segment: 1 }, true).triangle).toBe(t);
     }

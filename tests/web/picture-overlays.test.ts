@@ -101,14 +101,14 @@ describe('picking', () => {
     const next = random(17);
     for (let round = 0; round < 30; round++) {
       // Some triangles are gone, in another order each time.
-      const live = Array.from({ length: whole.triangleCount }, (_, i) => i).filter(
+      const live = Array.from({ length: whole.cellCount }, (_, i) => i).filter(
         () => next() < 0.7,
       );
       const state: MeshState = {
         ...whole,
         position: round + 1,
-        liveTriangles: Uint32Array.from(live),
-        liveTriangleCount: live.length,
+        liveCells: Uint32Array.from(live),
+        liveCellCount: live.length,
       };
       s.model.sync(state);
       for (let k = 0; k < 20; k++) {
@@ -144,16 +144,17 @@ function wedge(apex: Point): MeshState {
     vertexCount: 3,
     coordinates,
     vertexBorn: new Uint32Array(3),
-    triangleCount: 1,
-    triangles: Uint32Array.from([0, 1, 2]),
-    triangleBorn: new Uint32Array(1),
-    triangleDied: new Uint32Array(1).fill(NEVER),
-    liveTriangles: Uint32Array.from([0]),
-    liveTriangleCount: 1,
+    cellCount: 1,
+    cells: Uint32Array.from([0, 1, 2]),
+    cellBorn: new Uint32Array(1),
+    cellDied: new Uint32Array(1).fill(NEVER),
+    liveCells: Uint32Array.from([0]),
+    liveCellCount: 1,
     subsegments: Uint32Array.from([0, 1, 0]),
     subsegmentBorn: new Uint32Array(1),
     liveSubsegments: Uint32Array.from([0]),
     liveSubsegmentCount: 1,
+    facets: null,
   };
 }
 

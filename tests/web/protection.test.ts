@@ -80,9 +80,9 @@ describe('intestines', () => {
       const { trace, state } = endOf(complex, { algorithm: 'intestine' });
       const intestines = new Protection(trace).intestines(trace.eventCount, state);
       const triangles = new Set<string>();
-      for (let i = 0; i < state.liveTriangleCount; i++) {
-        const n = 3 * state.liveTriangles[i]!;
-        triangles.add([...state.triangles.subarray(n, n + 3)].sort((p, q) => p - q).join());
+      for (let i = 0; i < state.liveCellCount; i++) {
+        const n = 3 * state.liveCells[i]!;
+        triangles.add([...state.cells.subarray(n, n + 3)].sort((p, q) => p - q).join());
       }
       for (const { center, radius, arcs } of intestines) {
         const at = place(state, center);

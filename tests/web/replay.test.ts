@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { Kind } from '../../web/src/replay/event.ts';
-import { AngleCache, histogram, trianglesInBin } from '../../web/src/replay/measure.ts';
+import { AngleCache, histogram, cellsInBin } from '../../web/src/replay/measure.ts';
 import { momentAt } from '../../web/src/replay/moment.ts';
 import { Replay } from '../../web/src/replay/replay.ts';
 import { Trace } from '../../web/src/replay/trace.ts';
@@ -15,9 +15,9 @@ import {
 } from './small-trace.ts';
 
 function live(replay: Replay): string[] {
-  const { liveTriangles, liveTriangleCount, triangles } = replay.state();
-  return Array.from(liveTriangles.subarray(0, liveTriangleCount), (n) =>
-    triangles.subarray(3 * n, 3 * n + 3).join(),
+  const { liveCells, liveCellCount, cells } = replay.state();
+  return Array.from(liveCells.subarray(0, liveCellCount), (n) =>
+    cells.subarray(3 * n, 3 * n + 3).join(),
   ).sort();
 }
 
@@ -145,12 +145,12 @@ describe('replay of the square', () => {
     replay.seek(6);
     const cache = new AngleCache(trace);
     const h = histogram(replay.state(), cache);
-    expect(h.triangles).toBe(2);
+    expect(h.cells).toBe(2);
     expect(h.minAngle).toBeCloseTo(45, 4);
     expect(h.maxAngle).toBeCloseTo(90, 4);
     expect(h.bins.reduce((a, b) => a + b)).toBe(6);
     const right = h.bins.findLastIndex((n) => n > 0);
-    expect(trianglesInBin(replay.state(), cache, right).size).toBe(2);
+    expect(cellsInBin(replay.state(), cache, right).size).toBe(2);
   });
 
   it('rejects a trace whose dead never lived', () => {

@@ -1,5 +1,6 @@
 import { EVENT_BYTES, Kind, NONE, Reason } from '../../web/src/replay/event.ts';
-import { canonical, Trace } from '../../web/src/replay/trace.ts';
+import { canonical } from '../../web/src/replay/lives.ts';
+import { Trace } from '../../web/src/replay/trace.ts';
 
 /** Traces made by hand, and long ones made by a brute-force incremental Delaunay triangulation. */
 

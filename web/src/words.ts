@@ -1,3 +1,5 @@
+import { NONE } from './replay/event.ts';
+
 /** How numbers, names and the core's messages are written. */
 
 const counts = new Intl.NumberFormat('en-US');
@@ -56,13 +58,19 @@ export function formatList(items: readonly (number | string)[]): string {
   return last < 1 ? items.join('') : `${items.slice(0, last).join(', ')} and ${items[last]}`;
 }
 
-/** "triangle 3–7–12", "subsegment 3–7 of segment 2". */
-export function simplexName(simplex: readonly number[], segment?: number): string {
-  if (simplex.length === 2) {
-    // An arc of a protecting circle lies on no input segment.
-    if (segment === 0xffffffff) return `arc ${simplex.join('–')}`;
-    const of = segment === undefined ? '' : ` of segment ${segment}`;
-    return `subsegment ${simplex.join('–')}${of}`;
+/** "triangle 3–7–12", "subsegment 3–7 of segment 2", in space "triangle 3–7–12 of face 4", "tetrahedron 1–2–3–4". */
+export function simplexName(simplex: readonly number[], segment?: number, face = NONE): string {
+  const vertices = simplex.join('–');
+  switch (simplex.length) {
+    case 2:
+      // An arc of a protecting circle lies on no input segment.
+      if (segment === NONE) return `arc ${vertices}`;
+      return `subsegment ${vertices}${segment === undefined ? '' : ` of segment ${segment}`}`;
+    case 3:
+      return `triangle ${vertices}${face === NONE ? '' : ` of face ${face}`}`;
+    case 4:
+      return `tetrahedron ${vertices}`;
+    default:
+      return `vertex ${vertices}`;
   }
-  return simplex.length === 3 ? `triangle ${simplex.join('–')}` : `vertex ${simplex.join('')}`;
 }

@@ -1,5 +1,6 @@
 import type { JumpTarget } from '../replay/timeline.ts';
 import type { TheoryOverlay } from '../shared/types.ts';
+import type { FaceLook, StandardView } from '../space/types.ts';
 import { app } from '../store/app.svelte.ts';
 import { texts } from '../texts.ts';
 import type { Action } from './types.ts';
@@ -7,6 +8,8 @@ import type { Action } from './types.ts';
 /** Every action of the page. Buttons and menus name them by id; shortcuts and the help sheet read the list. */
 
 const { doc, settings } = app;
+const inPlane = () => !app.inSpace;
+const inSpace = () => app.inSpace;
 const busy = () => app.panes.some((pane) => pane.run.busy);
 const hasTrace = () => app.clock.length > 0;
 
@@ -94,7 +97,7 @@ const play: Action[] = [
     title: texts.run.start,
     group: 'Play',
     keys: ['Mod+Enter'],
-    enabled: () => !doc.isEmpty && !busy(),
+    enabled: () => !doc.isEmpty && !busy() && app.algorithm !== undefined,
     perform: () => void app.refine({}),
   },
   {
@@ -116,7 +119,7 @@ const edit: Action[] = [
     now: () => texts.undo(doc.undoTitle),
     group: 'Edit',
     keys: ['Mod+Z'],
-    enabled: () => doc.canUndo,
+    enabled: () => inPlane() && doc.canUndo,
     perform: () => doc.editor.undo(),
   },
   {
@@ -125,7 +128,7 @@ const edit: Action[] = [
     now: () => texts.redo(doc.redoTitle),
     group: 'Edit',
     keys: ['Mod+Shift+Z', 'Mod+Y'],
-    enabled: () => doc.canRedo,
+    enabled: () => inPlane() && doc.canRedo,
     perform: () => doc.editor.redo(),
   },
   {
@@ -133,7 +136,7 @@ const edit: Action[] = [
     title: 'Select all',
     group: 'Edit',
     keys: ['Mod+A'],
-    enabled: () => app.mode === 'draw',
+    enabled: () => inPlane() && app.mode === 'draw',
     perform: () => doc.editor.selectAll(),
   },
   {
@@ -157,7 +160,7 @@ const edit: Action[] = [
     title: texts.document.split,
     group: 'Edit',
     keys: [],
-    enabled: () => doc.complex.segments.length > 1,
+    enabled: () => inPlane() && doc.complex.segments.length > 1,
     perform: () => app.say(texts.document.crossingsSplit(doc.editor.splitCrossings())),
   },
   {
@@ -165,7 +168,7 @@ const edit: Action[] = [
     title: texts.document.clear,
     group: 'Edit',
     keys: [],
-    enabled: () => !doc.isEmpty,
+    enabled: () => inPlane() && !doc.isEmpty,
     perform: () => {
       doc.editor.replace(
         { vertices: [], segments: [], holes: [], regions: [] },
@@ -191,6 +194,7 @@ const tools: Action[] = [
     title: texts.tools.watch,
     group: 'Tools',
     keys: ['w'],
+    enabled: inPlane,
     pressed: () => app.mode === 'watch',
     perform: () => {
       doc.editor.cancel();
@@ -204,6 +208,7 @@ const tools: Action[] = [
       title: tool.title,
       group: 'Tools',
       keys: [tool.key],
+      enabled: inPlane,
       pressed: () => app.mode === 'draw' && doc.tool === tool.id,
       perform: () => {
         app.clock.pause();
@@ -247,21 +252,21 @@ const view: Action[] = [
     title: 'Fit to the picture',
     group: 'View',
     keys: ['0'],
-    perform: () => app.picture?.fit(),
+    perform: () => (app.inSpace ? app.pane.spacePicture?.fit(true) : app.picture?.fit()),
   },
   {
     id: 'zoom-in',
     title: 'Zoom in',
     group: 'View',
     keys: ['+', '='],
-    perform: () => app.picture?.zoomBy(1.4),
+    perform: () => app.shown?.zoomBy(1.4),
   },
   {
     id: 'zoom-out',
     title: 'Zoom out',
     group: 'View',
     keys: ['-'],
-    perform: () => app.picture?.zoomBy(1 / 1.4),
+    perform: () => app.shown?.zoomBy(1 / 1.4),
   },
   {
     id: 'compare',
@@ -277,6 +282,7 @@ const view: Action[] = [
     title: texts.numerics.title,
     group: 'View',
     keys: ['Shift+N'],
+    enabled: inPlane,
     perform: () => {
       settings.panelOpen = true;
       app.sheetOpen = true;
@@ -316,6 +322,103 @@ const view: Action[] = [
   },
 ];
 
+const spaceView: StandardView[] = ['corner', 'front', 'right', 'top'];
+const turns = { left: [-40, 0], right: [40, 0], up: [0, -40], down: [0, 40] } as const;
+const faceLooks: readonly FaceLook[] = ['translucent', 'solid', 'hidden'];
+
+function toggleClip(): void {
+  const { look } = app.look;
+  app.look.clip(look.clip ? null : 'x');
+}
+
+/** Cells apart and back. */
+function explode(): void {
+  const { shrink } = app.look.look;
+  app.look.set(shrink > 0 ? { shrink: 0 } : { shrink: 0.45, cells: true });
+}
+
+const space: Action[] = [
+  ...spaceView.map(
+    (name, i): Action => ({
+      id: `view-${name}`,
+      title: texts.space.views[name],
+      group: 'Space',
+      keys: [String(5 + i)],
+      enabled: inSpace,
+      perform: () => app.pane.spacePicture?.look(name),
+    }),
+  ),
+  ...(Object.keys(turns) as (keyof typeof turns)[]).map(
+    (name): Action => ({
+      id: `turn-${name}`,
+      title: texts.space.turn[name],
+      group: 'Space',
+      keys: [`Shift+Arrow${name.charAt(0).toUpperCase()}${name.slice(1)}`],
+      enabled: inSpace,
+      perform: () => {
+        const [dx, dy] = turns[name];
+        app.pane.spacePicture?.orbitBy(dx, dy);
+      },
+    }),
+  ),
+  {
+    id: 'faces',
+    title: texts.space.faceLook,
+    now: () => `${texts.space.faces}: ${texts.space.faceLooks[app.look.look.faces]}`,
+    group: 'Space',
+    keys: ['f'],
+    enabled: inSpace,
+    perform: () => {
+      const next = faceLooks[(faceLooks.indexOf(app.look.look.faces) + 1) % faceLooks.length]!;
+      app.look.set({ faces: next });
+      app.announcement = `${texts.space.faces}: ${texts.space.faceLooks[next]}`;
+    },
+  },
+  {
+    id: 'cells',
+    title: texts.space.switches.cells,
+    group: 'Space',
+    keys: ['t'],
+    enabled: inSpace,
+    pressed: () => app.look.look.cells,
+    perform: () => app.look.set({ cells: !app.look.look.cells }),
+  },
+  {
+    id: 'explode',
+    title: texts.space.explode,
+    group: 'Space',
+    keys: ['e'],
+    enabled: inSpace,
+    pressed: () => app.look.look.shrink > 0 && app.look.look.cells,
+    perform: explode,
+  },
+  {
+    id: 'clip',
+    title: texts.space.clip.title,
+    group: 'Space',
+    keys: ['p'],
+    enabled: inSpace,
+    pressed: () => app.look.look.clip !== null,
+    perform: toggleClip,
+  },
+  {
+    id: 'clip-forward',
+    title: texts.space.clip.forward,
+    group: 'Space',
+    keys: [']'],
+    enabled: () => inSpace() && app.look.look.clip !== null,
+    perform: () => app.look.slide(0.02),
+  },
+  {
+    id: 'clip-back',
+    title: texts.space.clip.back,
+    group: 'Space',
+    keys: ['['],
+    enabled: () => inSpace() && app.look.look.clip !== null,
+    perform: () => app.look.slide(-0.02),
+  },
+];
+
 /** One letter each; all of them are switched in the panel, too. */
 const overlayKeys: readonly (readonly [TheoryOverlay, string])[] = [
   ['featureSize', 'f'],
@@ -350,6 +453,7 @@ const overlays: Action[] = [
       title: texts.theory[name].name,
       group: 'Overlays',
       keys: [key],
+      enabled: inPlane,
       pressed: () => settings.overlays[name],
       perform: () => {
         settings.setOverlay(name, !settings.overlays[name]);
@@ -415,6 +519,7 @@ export const actions: readonly Action[] = [
   ...edit,
   ...tools,
   ...view,
+  ...space,
   ...overlays,
   ...file,
 ];

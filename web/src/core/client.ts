@@ -55,6 +55,10 @@ export class CoreClient {
     return this.call((core) => core.check(complex));
   }
 
+  async faceTriangles(complex: string): Promise<Uint32Array> {
+    return this.call((core) => core.faceTriangles(complex));
+  }
+
   async featureSizes(complex: string, points: Float64Array): Promise<FeatureSizesAnswer> {
     return this.call((core) => core.featureSizes(complex, points));
   }

@@ -28,7 +28,7 @@ export interface Hello {
   version: string;
   selfTest: string;
   algorithms: AlgorithmInfo[];
-  extensions: string[];
+  extensions: { readonly 2: string[]; readonly 3: string[] }; // of meshes, by dimension
   functions: FemFunction[];
   families: FemFamilyInfo[];
 }
@@ -69,7 +69,7 @@ const api = {
       version: core.version(),
       selfTest: core.selfTest(),
       algorithms: core.algorithms(),
-      extensions: core.meshExtensions(2),
+      extensions: { 2: core.meshExtensions(2), 3: core.meshExtensions(3) },
       functions: core.femFunctions(),
       families: core.femFamilies(),
     };
@@ -81,6 +81,10 @@ const api = {
 
   check(complex: string): Defect[] {
     return core.check(complex);
+  },
+
+  faceTriangles(complex: string): Uint32Array {
+    return core.faceTriangles(complex);
   },
 
   featureSizes(complex: string, points: Float64Array): FeatureSizesAnswer {

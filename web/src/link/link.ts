@@ -1,13 +1,14 @@
 import type { RunOptions } from 'circumball';
 import { deflateSync, inflateSync, strFromU8, strToU8 } from 'fflate';
-import { complexFromJson, complexToText } from '../core/complex-json.ts';
+import { complexToText, inputFromJson } from '../core/complex-json.ts';
 import { type Corners, isCorners } from '../numerics/triangle.ts';
 import type { Pace } from '../replay/lockstep.ts';
-import type { ColorMode, Complex2, View } from '../shared/types.ts';
+import type { ColorMode, Input, View } from '../shared/types.ts';
+import { isSpaceView, type SharedLook, type SpaceView } from '../space/types.ts';
 
 /** What a link restores: input, algorithm, parameters, moment and view, exactly. */
 export interface Shared {
-  readonly complex: Complex2;
+  readonly complex: Input;
   readonly options: RunOptions;
   readonly moment: number | null; // position in the trace; null: the input alone
   readonly view: View | null;
@@ -15,6 +16,7 @@ export interface Shared {
   readonly overlays?: readonly string[]; // of the theory, by name
   readonly compare?: ComparisonOptions;
   readonly numerics?: NumericsOptions; // what is measured on the mesh
+  readonly space?: { readonly view: SpaceView | null; readonly look: SharedLook }; // how space is looked at
   readonly triangle?: TriangleOptions; // the triangle laboratory is open
 }
 
@@ -61,16 +63,25 @@ export function fromHash(hash: string): Shared | null {
   try {
     const packed = fromBase64(hash.slice(PREFIX.length));
     const json = JSON.parse(strFromU8(inflateBounded(packed)));
-    const { options, moment, view, color, overlays, compare, numerics, triangle } = json.rest ?? {};
+    const { options, moment, view, color, overlays, compare, numerics, triangle, space } =
+      json.rest ?? {};
     if (!isComplexJson(json.complex)) throw new Error('no complex');
     return {
-      complex: complexFromJson(json.complex),
+      complex: inputFromJson(json.complex),
       options: isRecord(options) ? (options as RunOptions) : {},
       moment: isPosition(moment) ? moment : null,
       view: isView(view) ? view : null,
       ...(typeof color === 'string' ? { color: color as ColorMode } : {}),
       ...(Array.isArray(overlays) ? { overlays: overlays.map(String) } : {}),
       ...(isRecord(compare) ? { compare: comparisonOf(compare) } : {}),
+      ...(isRecord(space)
+        ? {
+            space: {
+              view: isSpaceView(space.view) ? space.view : null,
+              look: isRecord(space.look) ? (space.look as SharedLook) : {},
+            },
+          }
+        : {}),
       ...(isRecord(numerics) ? { numerics: numericsOf(numerics) } : {}),
       ...(isRecord(triangle) && isCorners(triangle.corners)
         ? { triangle: { corners: triangle.corners, expression: String(triangle.expression ?? '') } }
@@ -120,7 +131,7 @@ function isRecord(x: unknown): x is Record<string, unknown> {
   return typeof x === 'object' && x !== null && !Array.isArray(x);
 }
 
-function isComplexJson(x: unknown): x is Parameters<typeof complexFromJson>[0] {
+function isComplexJson(x: unknown): x is Parameters<typeof inputFromJson>[0] {
   const isPoint = (p: unknown) =>
     Array.isArray(p) && p.length >= 2 && p.every((c) => typeof c === 'number');
   return (
@@ -128,10 +139,24 @@ function isComplexJson(x: unknown): x is Parameters<typeof complexFromJson>[0] {
     Array.isArray(x.vertices) &&
     x.vertices.every(isPoint) &&
     (x.segments === undefined || (Array.isArray(x.segments) && x.segments.every(isPoint))) &&
+    (x.faces === undefined || (Array.isArray(x.faces) && x.faces.every(isFace))) &&
     (x.holes === undefined || (Array.isArray(x.holes) && x.holes.every(isPoint))) &&
     (x.regions === undefined ||
       (Array.isArray(x.regions) &&
         x.regions.every((r) => isRecord(r) && isPoint(r.at) && typeof r.label === 'number')))
+  );
+}
+
+function isFace(x: unknown): boolean {
+  const isList = (l: unknown) => Array.isArray(l) && l.every((n) => typeof n === 'number');
+  const isOptional = (l: unknown) => l === undefined || isList(l);
+  return (
+    isRecord(x) &&
+    Array.isArray(x.loops) &&
+    x.loops.every(isList) &&
+    (x.holes === undefined || (Array.isArray(x.holes) && x.holes.every(isList))) &&
+    isOptional(x.segments) &&
+    isOptional(x.vertices)
   );
 }
 

@@ -15,12 +15,12 @@ export function meshOf(state: MeshState): MeasuredMesh {
   const coordinates: number[] = [];
   const cells: number[] = [];
   const numbers: number[] = [];
-  for (let i = 0; i < state.liveTriangleCount; i++) {
-    const t = state.liveTriangles[i]!;
-    if (state.triangleLabel[t] === Label.outside) continue;
+  for (let i = 0; i < state.liveCellCount; i++) {
+    const t = state.liveCells[i]!;
+    if (state.cellLabel[t] === Label.outside) continue;
     numbers.push(t);
     for (let k = 0; k < 3; k++) {
-      const v = state.triangles[3 * t + k]!;
+      const v = state.cells[3 * t + k]!;
       let own = vertexOf.get(v);
       if (own === undefined) {
         own = vertexOf.size;
@@ -48,7 +48,7 @@ export function meshOf(state: MeshState): MeasuredMesh {
 /** A mesh that no run on the page has made, as the picture draws it. Cell i is triangle i. */
 export function stillMesh(mesh: MeshArrays): MeshState {
   const vertexCount = mesh.vertices.length / 2;
-  const triangleCount = mesh.cells.length / 3;
+  const cellCount = mesh.cells.length / 3;
   const subsegmentCount = mesh.edges.length / 3;
   const kinds = [VertexKind.input, VertexKind.onSegment, VertexKind.inFace, VertexKind.free];
   const vertexKind = Uint8Array.from({ length: vertexCount }, (_, v) => {
@@ -57,23 +57,25 @@ export function stillMesh(mesh: MeshArrays): MeshState {
   });
   const count = (n: number) => Uint32Array.from({ length: n }, (_, i) => i);
   return {
+    dimension: 2,
     position: 1,
     vertexCount,
     coordinates: mesh.vertices,
     vertexKind,
     vertexBorn: new Uint32Array(vertexCount),
     vertexStep: new Uint8Array(vertexCount),
-    triangleCount,
-    triangles: mesh.cells,
-    triangleLabel: new Uint8Array(triangleCount).fill(Label.inside),
-    triangleBorn: new Uint32Array(triangleCount),
-    triangleDied: new Uint32Array(triangleCount).fill(NEVER),
-    liveTriangles: count(triangleCount),
-    liveTriangleCount: triangleCount,
+    cellCount,
+    cells: mesh.cells,
+    cellLabel: new Uint8Array(cellCount).fill(Label.inside),
+    cellBorn: new Uint32Array(cellCount),
+    cellDied: new Uint32Array(cellCount).fill(NEVER),
+    liveCells: count(cellCount),
+    liveCellCount: cellCount,
     subsegments: mesh.edges,
     subsegmentBorn: new Uint32Array(subsegmentCount),
     liveSubsegments: count(subsegmentCount),
     liveSubsegmentCount: subsegmentCount,
+    facets: null,
   };
 }
 

@@ -179,7 +179,10 @@ export function colorAt(mode: ColorMode, dark: boolean, t: number, classes: numb
   if (isCategorical(mode)) {
     return categoryColor(Math.min(Math.floor(t * classes), classes - 1), dark);
   }
-  const name = mode === 'quality' || mode === 'error' ? 'quality' : mode === 'age' ? 'age' : 'size';
-  // Large errors stand out as small angles do.
-  return rampAt(dark ? stops[name].dark : stops[name].light, mode === 'error' ? 1 - t : t);
+  const isQuality =
+    mode === 'quality' || mode === 'error' || mode === 'dihedral' || mode === 'radiusEdge';
+  const name = isQuality ? 'quality' : mode === 'age' ? 'age' : 'size';
+  // Large errors and ratios stand out as small angles do.
+  const isWorstLast = mode === 'error' || mode === 'radiusEdge';
+  return rampAt(dark ? stops[name].dark : stops[name].light, isWorstLast ? 1 - t : t);
 }

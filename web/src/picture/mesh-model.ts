@@ -148,14 +148,14 @@ export class MeshModel {
     this.reserveSlots(state);
     const triangleSlots: number[] = [];
     this.triangleSlots.sync(
-      state.liveTriangles,
-      state.liveTriangleCount,
-      state.triangleCount,
+      state.liveCells,
+      state.liveCellCount,
+      state.cellCount,
       (slot) => {
         const number = this.triangleSlots.numbers[slot]!;
-        for (let k = 0; k < 3; ++k) this.triangles[3 * slot + k] = state.triangles[3 * number + k]!;
-        this.labels[slot] = state.triangleLabel[number]!;
-        this.born[slot] = state.triangleBorn[number]!;
+        for (let k = 0; k < 3; ++k) this.triangles[3 * slot + k] = state.cells[3 * number + k]!;
+        this.labels[slot] = state.cellLabel[number]!;
+        this.born[slot] = state.cellBorn[number]!;
         triangleSlots.push(slot);
         this.index.touchTriangle(slot);
       },
@@ -196,10 +196,10 @@ export class MeshModel {
     const { numbers, count } = this.triangleSlots;
     for (let slot = 0; slot < count; ++slot) {
       const number = numbers[slot]!;
-      if (number >= state.triangleCount || this.born[slot] !== state.triangleBorn[number])
+      if (number >= state.cellCount || this.born[slot] !== state.cellBorn[number])
         return true;
       for (let k = 0; k < 3; ++k) {
-        if (this.triangles[3 * slot + k] !== state.triangles[3 * number + k]) return true;
+        if (this.triangles[3 * slot + k] !== state.cells[3 * number + k]) return true;
       }
     }
     const segments = this.subsegmentSlots;
@@ -258,7 +258,7 @@ export class MeshModel {
   }
 
   private reserveSlots(state: MeshState): void {
-    const triangles = state.liveTriangleCount;
+    const triangles = state.liveCellCount;
     if (this.labels.length < triangles) {
       const size = Math.ceil(triangles * 1.5) + 64;
       this.triangles = grown(this.triangles, 3 * size);

@@ -1,8 +1,7 @@
 /** The picture as a PNG of any width: rendered off screen tile by tile, so that no limit of the GPU is met. */
 
-import { type OrthographicCamera, type Scene, type WebGLRenderer, WebGLRenderTarget } from 'three';
+import { type Camera, type Scene, type Vector4, type WebGLRenderer, WebGLRenderTarget } from 'three';
 import type { Rgba } from './color';
-import type { ViewUniforms } from './gpu/uniforms';
 import type { Size } from './view';
 
 const tileSize = 1024;
@@ -12,8 +11,9 @@ const widest = 16000;
 export interface PngJob {
   readonly renderer: WebGLRenderer;
   readonly scene: Scene;
-  readonly camera: OrthographicCamera;
-  readonly uniforms: ViewUniforms;
+  readonly camera: Camera;
+  readonly uniforms: { readonly uPixel: { value: number }; readonly uTile: { value: Vector4 } };
+  readonly depth?: boolean; // things hide each other
   readonly size: Size; // what is seen, in CSS pixels
   readonly width: number; // of the image
   readonly background: Rgba;
@@ -38,7 +38,10 @@ export async function renderPng(job: PngJob): Promise<Blob> {
   tile.width = tileSize;
   tile.height = tileSize;
   const tileContext = tile.getContext('2d')!;
-  const target = new WebGLRenderTarget(tileSize, tileSize, { depthBuffer: false, samples: 4 });
+  const target = new WebGLRenderTarget(tileSize, tileSize, {
+    depthBuffer: job.depth ?? false,
+    samples: 4,
+  });
   const bytes = new Uint8Array(4 * tileSize * tileSize);
   const pixelBefore = uniforms.uPixel.value;
   try {

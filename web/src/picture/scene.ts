@@ -93,9 +93,9 @@ export class Scene {
       change.born,
       (t) =>
         [
-          state.triangles[3 * t]!,
-          state.triangles[3 * t + 1]!,
-          state.triangles[3 * t + 2]!,
+          state.cells[3 * t]!,
+          state.cells[3 * t + 1]!,
+          state.cells[3 * t + 2]!,
         ] as const,
     );
     this.changeShape = { change, star: starShape(triangles, (v) => this.place(v)) };

@@ -4,7 +4,8 @@ import { distance, point } from './geometry.ts';
 import { GrowU32 } from './grow.ts';
 import type { Protection } from './protection.ts';
 import { SimplexTable } from './simplex-table.ts';
-import { canonical, type Trace } from './trace.ts';
+import { canonical } from './lives.ts';
+import type { Trace } from './trace.ts';
 
 /**
  * Why a vertex had to be inserted, as the proof of Theorem 2.2 tells it: its three cases lead from a vertex to an older one, its

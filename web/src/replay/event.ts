@@ -1,3 +1,5 @@
+import type { Point, Point3 } from '../shared/types.ts';
+
 /** Layout and meaning of trace events: lib/include/circumball/trace.h, 64 bytes each, little-endian. */
 
 export const EVENT_BYTES = 64;
@@ -13,6 +15,7 @@ export const Kind = {
   inserted: 6,
   relabeled: 7,
   limit: 8,
+  faceChanged: 9,
 } as const;
 
 export const Reason = {
@@ -57,14 +60,16 @@ export const Reason = {
 export interface TraceEvent {
   readonly index: number;
   readonly kind: number;
-  readonly dimension: number; // of the simplex: 0 vertex, 1 subsegment, 2 triangle
+  readonly dimension: number; // of the simplex: 0 vertex, 1 subsegment, 2 triangle, 3 tetrahedron
   readonly reason: number;
   readonly step: number;
   readonly simplex: readonly number[]; // its vertices: dimension + 1 of them
   readonly segment: number; // input segment of a subsegment; NONE
+  readonly face: number; // in space, the input face that a triangle lies in; NONE
   readonly center: number; // input vertex that an arc is about; NONE
   readonly subject: number;
   readonly other: readonly [number, number];
-  readonly at: readonly [number, number];
+  readonly at: Point; // x and y
+  readonly place: Point3; // all three
   readonly value: number;
 }

@@ -1,99 +1,113 @@
-import { Label, type MeshState } from '../shared/types.ts';
+import { Label, type MeshState, type Point3 } from '../shared/types.ts';
 import { angles, circumcircle, distance, point } from './geometry.ts';
+import { circumball, dihedralAngles, point3, shortestEdge, volume } from './geometry3.ts';
 import type { Trace } from './trace.ts';
 
-/** Angles of the triangles inside the domain, in bins of 5 degrees. */
+/** Angles of the cells inside the domain (of triangles; dihedral ones of tetrahedra), in bins of 5 degrees. */
 export const BIN_DEGREES = 5;
 export const BINS = 180 / BIN_DEGREES;
 
 export interface Histogram {
   readonly bins: Uint32Array; // angles in each bin
-  readonly triangles: number; // counted
-  readonly minAngle: number; // degrees; NaN without triangles
+  readonly cells: number; // counted
+  readonly minAngle: number; // degrees; NaN without cells
   readonly maxAngle: number;
 }
 
-/** Angles of every triangle that ever lived, measured when first asked for. */
+/** Angles of every cell that ever lived, measured when first asked for: three of a triangle, six of a tetrahedron. */
 export class AngleCache {
   private values = new Float32Array(0);
+  private readonly each: number;
 
-  constructor(private readonly trace: Trace) {}
+  constructor(private readonly trace: Trace) {
+    this.each = trace.dimension === 2 ? 3 : 6;
+  }
 
-  /** Three angles in degrees, at the vertices in the order of `Trace.triangles`. */
-  of(n: number): [number, number, number] {
-    if (3 * n + 2 >= this.values.length) {
-      const next = new Float32Array(3 * Math.max(this.trace.triangleCount, n + 1)).fill(-1);
+  /** In degrees; those of a triangle at the vertices in the order of `Trace.cells`. Not to be kept. */
+  of(n: number): Float32Array {
+    const { each, trace } = this;
+    if (each * (n + 1) > this.values.length) {
+      const next = new Float32Array(each * Math.max(trace.cellCount, n + 1)).fill(-1);
       next.set(this.values);
       this.values = next;
     }
-    if (this.values[3 * n]! < 0) {
-      const t = this.trace.triangles.data;
-      const xy = this.trace.coordinates.data;
-      const three = angles(
-        point(xy, t[3 * n]!),
-        point(xy, t[3 * n + 1]!),
-        point(xy, t[3 * n + 2]!),
-      );
-      this.values.set(three, 3 * n);
-    }
-    return [this.values[3 * n]!, this.values[3 * n + 1]!, this.values[3 * n + 2]!];
+    if (this.values[each * n]! < 0) this.values.set(anglesOf(trace, n), each * n);
+    return this.values.subarray(each * n, each * (n + 1));
   }
+}
+
+function anglesOf(trace: Trace, n: number): readonly number[] {
+  const t = trace.cells.data;
+  const at = trace.coordinates.data;
+  if (trace.dimension === 2)
+    return angles(point(at, t[3 * n]!), point(at, t[3 * n + 1]!), point(at, t[3 * n + 2]!));
+  return dihedralAngles(...cornersOf(trace, n));
+}
+
+function cornersOf(trace: Trace, n: number): [Point3, Point3, Point3, Point3] {
+  const t = trace.cells.data;
+  const at = trace.coordinates.data;
+  return [0, 1, 2, 3].map((k) => point3(at, t[4 * n + k]!)) as [Point3, Point3, Point3, Point3];
 }
 
 export function histogram(state: MeshState, cache: AngleCache): Histogram {
   const bins = new Uint32Array(BINS);
   let minAngle = Number.POSITIVE_INFINITY;
   let maxAngle = Number.NEGATIVE_INFINITY;
-  let triangles = 0;
-  for (let i = 0; i < state.liveTriangleCount; i++) {
-    const n = state.liveTriangles[i]!;
-    if (state.triangleLabel[n] === Label.outside) continue;
-    triangles++;
+  let cells = 0;
+  for (let i = 0; i < state.liveCellCount; i++) {
+    const n = state.liveCells[i]!;
+    if (state.cellLabel[n] === Label.outside) continue;
+    cells++;
     for (const a of cache.of(n)) {
       bins[Math.min(BINS - 1, Math.floor(a / BIN_DEGREES))]!++;
       if (a < minAngle) minAngle = a;
       if (a > maxAngle) maxAngle = a;
     }
   }
-  return triangles > 0
-    ? { bins, triangles, minAngle, maxAngle }
-    : { bins, triangles, minAngle: Number.NaN, maxAngle: Number.NaN };
+  return cells > 0
+    ? { bins, cells, minAngle, maxAngle }
+    : { bins, cells, minAngle: Number.NaN, maxAngle: Number.NaN };
 }
 
 export interface MeshMeasures {
-  readonly triangles: number; // inside the domain
-  readonly minAngle: number; // degrees; NaN without triangles
+  readonly cells: number; // inside the domain
+  readonly minAngle: number; // degrees; NaN without cells
   readonly maxAngle: number;
   readonly bad: number; // with a radius-edge ratio above tau; 0 if tau is 0
 }
 
-/** O(live triangles). */
+/** O(live cells). */
 export function measureMesh(
   trace: Trace,
   state: MeshState,
   cache: AngleCache,
   tau: number,
 ): MeshMeasures {
-  const { triangles, minAngle, maxAngle } = histogram(state, cache);
+  const { cells, minAngle, maxAngle } = histogram(state, cache);
   let bad = 0;
   if (tau > 0.5) {
     // Angles are kept in single precision: where they come near the bound the ratio itself decides.
     const near = (Math.asin(1 / (2 * tau)) * 180) / Math.PI + 0.01;
-    for (let i = 0; i < state.liveTriangleCount; i++) {
-      const n = state.liveTriangles[i]!;
-      if (state.triangleLabel[n] === Label.outside || Math.min(...cache.of(n)) > near) continue;
-      if (measureTriangle(trace, n).radiusEdge > tau) bad++;
+    for (let i = 0; i < state.liveCellCount; i++) {
+      const n = state.liveCells[i]!;
+      if (state.cellLabel[n] === Label.outside) continue;
+      if (trace.dimension === 3) {
+        if (measureTetrahedron(trace, n).radiusEdge > tau) bad++;
+      } else if (Math.min(...cache.of(n)) <= near && measureTriangle(trace, n).radiusEdge > tau) {
+        bad++;
+      }
     }
   }
-  return { triangles, minAngle, maxAngle, bad };
+  return { cells, minAngle, maxAngle, bad };
 }
 
-/** The triangles with an angle in a bin: what the picture stresses when a bar is pointed at. */
-export function trianglesInBin(state: MeshState, cache: AngleCache, bin: number): Set<number> {
+/** The cells with an angle in a bin: what the picture stresses when a bar is pointed at. */
+export function cellsInBin(state: MeshState, cache: AngleCache, bin: number): Set<number> {
   const found = new Set<number>();
-  for (let i = 0; i < state.liveTriangleCount; i++) {
-    const n = state.liveTriangles[i]!;
-    if (state.triangleLabel[n] === Label.outside) continue;
+  for (let i = 0; i < state.liveCellCount; i++) {
+    const n = state.liveCells[i]!;
+    if (state.cellLabel[n] === Label.outside) continue;
     if (cache.of(n).some((a) => Math.min(BINS - 1, Math.floor(a / BIN_DEGREES)) === bin))
       found.add(n);
   }
@@ -109,7 +123,7 @@ export interface TriangleMeasures {
 }
 
 export function measureTriangle(trace: Trace, n: number): TriangleMeasures {
-  const t = trace.triangles.data;
+  const t = trace.cells.data;
   const xy = trace.coordinates.data;
   const a = point(xy, t[3 * n]!);
   const b = point(xy, t[3 * n + 1]!);
@@ -123,6 +137,27 @@ export function measureTriangle(trace: Trace, n: number): TriangleMeasures {
     circumradius,
     shortestEdge,
     radiusEdge: circumradius / shortestEdge,
+  };
+}
+
+export interface TetrahedronMeasures {
+  readonly angles: readonly number[]; // six dihedral ones, degrees
+  readonly circumradius: number;
+  readonly shortestEdge: number;
+  readonly radiusEdge: number;
+  readonly volume: number;
+}
+
+export function measureTetrahedron(trace: Trace, n: number): TetrahedronMeasures {
+  const corners = cornersOf(trace, n);
+  const circumradius = circumball(corners)?.radius ?? Number.POSITIVE_INFINITY;
+  const shortest = shortestEdge(corners);
+  return {
+    angles: dihedralAngles(...corners),
+    circumradius,
+    shortestEdge: shortest,
+    radiusEdge: circumradius / shortest,
+    volume: volume(...corners),
   };
 }
 

@@ -1,6 +1,14 @@
-import { Label, type Moment, type MomentKind, type Point, type RuleName } from '../shared/types.ts';
+import {
+  Label,
+  type Moment,
+  type Moment3,
+  type MomentKind,
+  type Point,
+  type RuleName,
+} from '../shared/types.ts';
 import { Kind, NONE, Reason, type TraceEvent } from './event.ts';
 import { circumcircle, distance, midpoint, point } from './geometry.ts';
+import { circumball, point3 } from './geometry3.ts';
 import type { Replay } from './replay.ts';
 import { type DomainCounts, sentenceOf } from './sentence.ts';
 
@@ -14,28 +22,47 @@ const kinds: readonly MomentKind[] = [
   'inserted',
   'relabeled',
   'limit',
+  'face-changed',
 ];
 
 /** What the event that led to a position shows: who acts, by which rule, why. Null at position 0. */
-export function momentAt(replay: Replay, position: number, forward = true): Moment | null {
+export function momentAt(replay: Replay, position: number, forward = true): Moment | Moment3 | null {
   if (position <= 0 || position > replay.trace.eventCount) return null;
   const { trace } = replay;
   const e = trace.event(position - 1);
-  const xy = trace.coordinates.data;
-  const corners = e.simplex.filter((v) => v < trace.vertexCount).map((v) => point(xy, v));
+  const xyz = trace.coordinates.data;
+  const known = e.simplex.filter((v) => v < trace.vertexCount);
   const acting = e.kind >= Kind.queued && e.kind <= Kind.inserted && e.dimension > 0;
   const yields = e.kind === Kind.yielded && e.other[0] !== NONE;
-  return {
+  const hasGhost = e.kind === Kind.yielded || hasRefusedPoint(e);
+  const words = {
     kind: kinds[e.kind] ?? 'step-began',
     rule: ruleOf(e),
     simplex: acting ? e.simplex : [],
     witness: witnessOf(e),
-    ball: acting ? ballOf(e, corners, trace.input.vertexCount) : null,
-    ghost: e.kind === Kind.yielded || hasRefusedPoint(e) ? e.at : null,
     yieldTo: yields ? e.other : null,
     vertex: e.kind === Kind.inserted ? e.subject : null,
     change: replay.change(position - 1, forward),
-    sentence: sentenceOf(e, trace.steps, domainCounts(replay, e)),
+    sentence: sentenceOf(e, trace.steps, trace.dimension, domainCounts(replay, e)),
+  } as const;
+  if (trace.dimension === 3) {
+    const corners = known.map((v) => point3(xyz, v));
+    const face = e.kind === Kind.faceChanged ? e.subject : e.face;
+    return {
+      ...words,
+      dimension: 3,
+      ball: acting ? circumball(corners) : null,
+      ghost: hasGhost ? e.place : null,
+      face: face === NONE ? null : face,
+      facets: trace.facetLives?.changed(e.index).born ?? new Uint32Array(0),
+    };
+  }
+  const corners = known.map((v) => point(xyz, v));
+  return {
+    ...words,
+    dimension: 2,
+    ball: acting ? ballOf(e, corners, trace.input.vertexCount) : null,
+    ghost: hasGhost ? e.at : null,
   };
 }
 
@@ -44,7 +71,7 @@ function domainCounts(replay: Replay, e: TraceEvent): DomainCounts | undefined {
   const born = replay.change(e.index)?.born ?? [];
   let outside = 0;
   for (const n of born) {
-    if (replay.trace.triangleLabel.data[n] === Label.outside) outside++;
+    if (replay.trace.cellLabel.data[n] === Label.outside) outside++;
   }
   return { inside: born.length - outside, outside };
 }
@@ -78,7 +105,7 @@ function witnessOf(e: TraceEvent): number | null {
 
 /** A refusal without a point has its place at the origin of the record: it is not drawn. */
 function hasRefusedPoint(e: TraceEvent): boolean {
-  return e.kind === Kind.refused && (e.at[0] !== 0 || e.at[1] !== 0);
+  return e.kind === Kind.refused && e.place.some((x) => x !== 0);
 }
 
 /**

@@ -15,14 +15,14 @@ export function nearestNeighbors(state: MeshState, count: number): Float64Array 
     if (a < count && d < nearest[a]!) nearest[a] = d;
     if (b < count && d < nearest[b]!) nearest[b] = d;
   };
-  for (let i = 0; i < state.liveTriangleCount; i++) {
-    const n = 3 * state.liveTriangles[i]!;
-    const [a, b, c] = [state.triangles[n]!, state.triangles[n + 1]!, state.triangles[n + 2]!];
+  for (let i = 0; i < state.liveCellCount; i++) {
+    const n = 3 * state.liveCells[i]!;
+    const [a, b, c] = [state.cells[n]!, state.cells[n + 1]!, state.cells[n + 2]!];
     join(a, b);
     join(b, c);
     join(c, a);
   }
-  if (state.liveTriangleCount > 0) return nearest;
+  if (state.liveCellCount > 0) return nearest;
   const isAlive = (v: number) => state.vertexBorn[v]! < state.position;
   for (let a = 0; a < count; a++) {
     for (let b = 0; b < state.vertexCount; b++) {
@@ -39,14 +39,14 @@ export function nearestNeighbor(state: MeshState, v: number): number {
   const look = (w: number) => {
     if (w !== v) nearest = Math.min(nearest, distance(point(xy, v), point(xy, w)));
   };
-  for (let i = 0; i < state.liveTriangleCount; i++) {
-    const corners = state.triangles.subarray(
-      3 * state.liveTriangles[i]!,
-      3 * state.liveTriangles[i]! + 3,
+  for (let i = 0; i < state.liveCellCount; i++) {
+    const corners = state.cells.subarray(
+      3 * state.liveCells[i]!,
+      3 * state.liveCells[i]! + 3,
     );
     if (corners.includes(v)) corners.forEach(look);
   }
-  if (state.liveTriangleCount === 0) {
+  if (state.liveCellCount === 0) {
     for (let w = 0; w < state.vertexCount; w++) if (state.vertexBorn[w]! < state.position) look(w);
   }
   return nearest;

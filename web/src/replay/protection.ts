@@ -79,14 +79,14 @@ export class Protection {
   /** Fans between an input vertex and an arc that are triangles outside the domain. */
   private outsideFans(state: MeshState): Set<string> {
     const found = new Set<string>();
-    for (let i = 0; i < state.liveTriangleCount; i++) {
-      const n = state.liveTriangles[i]!;
-      if (state.triangleLabel[n] !== Label.outside) continue;
+    for (let i = 0; i < state.liveCellCount; i++) {
+      const n = state.liveCells[i]!;
+      if (state.cellLabel[n] !== Label.outside) continue;
       for (let k = 0; k < 3; k++) {
-        const center = state.triangles[3 * n + k]!;
+        const center = state.cells[3 * n + k]!;
         if (!this.circles.has(center)) continue;
-        const a = state.triangles[3 * n + ((k + 1) % 3)]!;
-        const b = state.triangles[3 * n + ((k + 2) % 3)]!;
+        const a = state.cells[3 * n + ((k + 1) % 3)]!;
+        const b = state.cells[3 * n + ((k + 2) % 3)]!;
         found.add(fan(center, a, b));
       }
     }

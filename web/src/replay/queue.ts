@@ -1,6 +1,7 @@
 import { NEVER } from '../shared/types.ts';
 import { Kind, NONE, Reason, type TraceEvent } from './event.ts';
 import { GrowF64, GrowU8, GrowU32 } from './grow.ts';
+import { ascending, type Record4 } from './lives.ts';
 import { SimplexTable } from './simplex-table.ts';
 
 /** What waits in the queue at a position: how many, and the events that queued the first of them, in priority order. */
@@ -20,7 +21,7 @@ export type TriangleOrder = 'birth' | 'value';
  */
 export class QueueHistory {
   private readonly queuedBy = new GrowU32();
-  private readonly isSegment = new GrowU8();
+  private readonly dimension = new GrowU8(); // of the simplex
   private readonly isReturned = new GrowU8();
   private readonly value = new GrowF64();
   private readonly left = new GrowU32();
@@ -29,24 +30,24 @@ export class QueueHistory {
   record(event: TraceEvent): void {
     if (event.simplex.length === 0) return;
     if (event.kind !== Kind.queued && !isPop(event.kind)) return;
-    const [a, b, c] = key(event.simplex);
+    const [a, b, c, d] = key(event.simplex);
     if (event.kind === Kind.queued) {
-      if (this.waiting.get(a, b, c) >= 0) return;
+      if (this.waiting.get(a, b, c, d) >= 0) return;
       const number = this.queuedBy.length;
-      this.waiting.set(a, b, c, number);
+      this.waiting.set4(a, b, c, d, number);
       this.queuedBy.push(event.index);
-      this.isSegment.push(event.dimension === 1 ? 1 : 0);
+      this.dimension.push(event.dimension);
       this.isReturned.push(event.reason === Reason.returned ? 1 : 0);
       this.value.set(number, event.value);
       this.left.push(NEVER);
     } else {
-      this.leave(a, b, c, event.index);
+      this.leave([a, b, c, d], event.index);
     }
   }
 
-  /** A triangle died by an insertion. */
-  died(a: number, b: number, c: number, event: number): void {
-    this.leave(...key([a, b, c]), event);
+  /** A cell died by an insertion. */
+  died(simplex: readonly number[], event: number): void {
+    this.leave(key(simplex), event);
   }
 
   /** O(entries ever queued before the position). */
@@ -57,10 +58,12 @@ export class QueueHistory {
     for (let i = 0; i < this.queuedBy.length; i++) {
       if (this.queuedBy.at(i) >= position) break;
       if (position > this.left.at(i)) continue;
-      if (this.isSegment.data[i]) segments.push(i);
+      if (this.dimension.data[i] === 1) segments.push(i);
       else if (this.isReturned.data[i] && order === 'birth') returned.push(i);
       else triangles.push(i);
     }
+    // In space triangles of faces go before tetrahedra.
+    triangles.sort((i, j) => this.dimension.data[i]! - this.dimension.data[j]! || i - j);
     if (order === 'value')
       triangles.sort((i, j) => this.value.data[j]! - this.value.data[i]! || i - j);
     returned.reverse(); // who came back last stands at the head
@@ -72,8 +75,8 @@ export class QueueHistory {
     };
   }
 
-  private leave(a: number, b: number, c: number, event: number): void {
-    const number = this.waiting.take(a, b, c);
+  private leave([a, b, c, d]: Readonly<Record4>, event: number): void {
+    const number = this.waiting.take(a, b, c, d);
     if (number >= 0) this.left.data[number] = event;
   }
 }
@@ -87,11 +90,12 @@ function isPop(kind: number): boolean {
   );
 }
 
-function key(simplex: readonly number[]): [number, number, number] {
-  const [a, b, c] = simplex as [number, number, number];
-  if (simplex.length === 2) return [Math.min(a, b), Math.max(a, b), NONE];
-  if (simplex.length === 1) return [a, NONE, NONE];
+function key(simplex: readonly number[]): Record4 {
+  const [a, b, c, d] = simplex as [number, number, number, number];
+  if (simplex.length === 4) return ascending(a, b, c, d);
+  if (simplex.length === 2) return [Math.min(a, b), Math.max(a, b), NONE, NONE];
+  if (simplex.length === 1) return [a, NONE, NONE, NONE];
   const low = Math.min(a, b, c);
   const high = Math.max(a, b, c);
-  return [low, a === low || a === high ? (b === low || b === high ? c : b) : a, high];
+  return [low, a === low || a === high ? (b === low || b === high ? c : b) : a, high, NONE];
 }

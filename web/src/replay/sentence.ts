@@ -5,8 +5,13 @@ import { Kind, NONE, Reason, type TraceEvent } from './event.ts';
  * The sentence of an event, in the words of the four rules, naming the witness: what circumball::describe says for the
  * command, with the names that the panel uses.
  */
-export function sentenceOf(e: TraceEvent, steps: readonly string[], domain?: DomainCounts): string {
-  const name = simplexName(e.simplex, e.segment);
+export function sentenceOf(
+  e: TraceEvent,
+  steps: readonly string[],
+  dimension: 2 | 3 = 2,
+  domain?: DomainCounts,
+): string {
+  const name = simplexName(e.simplex, e.segment, e.face);
   const step = stepName(steps[e.step] ?? String(e.step));
   switch (e.kind) {
     case Kind.stepBegan:
@@ -16,7 +21,7 @@ export function sentenceOf(e: TraceEvent, steps: readonly string[], domain?: Dom
       return `Step ${step} ends: ${plural(e.subject, 'vertex', 'vertices')} inserted, ${plural(refusals, 'refusal', 'refusals')}.`;
     }
     case Kind.queued:
-      return queued(e, name);
+      return queued(e, name, dimension);
     case Kind.dropped:
       return e.reason === Reason.died
         ? `${capital(name)} was taken from the queue and dropped: it is no longer in the mesh.`
@@ -25,12 +30,14 @@ export function sentenceOf(e: TraceEvent, steps: readonly string[], domain?: Dom
       return `${capital(name)} is not safe to split: ${refusal(e)}.`;
     case Kind.yielded: {
       const other = simplexName(e.other, e.subject);
-      return `The circumcenter of ${name} encroaches upon ${other}, so it yields: that is queued instead, and the triangle goes back.`;
+      return `The circumcenter of ${name} encroaches upon ${other}, so it yields: that is queued instead, and the ${simplexSort(e)} goes back.`;
     }
     case Kind.inserted:
       return inserted(e, name);
     case Kind.relabeled:
-      return relabeled(e, domain);
+      return relabeled(e, dimension, domain);
+    case Kind.faceChanged:
+      return faceChanged(e);
     case Kind.limit:
       return `The run stops: ${limit(e.reason)}.`;
     default:
@@ -38,14 +45,28 @@ export function sentenceOf(e: TraceEvent, steps: readonly string[], domain?: Dom
   }
 }
 
-/** Of the triangles whose side of the boundary an event tells. */
+/** Of the cells whose side of the boundary an event tells. */
 export interface DomainCounts {
   readonly inside: number;
   readonly outside: number;
 }
 
-function relabeled(e: TraceEvent, domain: DomainCounts | undefined): string {
-  const lie = (n: number) => plural(n, 'triangle is', 'triangles are');
+/** The triangulation of a face follows what happened in space. */
+function faceChanged(e: TraceEvent): string {
+  const [dead, born] = e.other;
+  const triangles = (n: number) => plural(n, 'triangle', 'triangles');
+  if (dead === 0) return `Face ${e.subject} has its own Delaunay triangulation: ${triangles(born)}.`;
+  return `In the triangulation of face ${e.subject}, ${triangles(dead)} became ${triangles(born)}.`;
+}
+
+function simplexSort(e: TraceEvent): string {
+  return e.simplex.length === 4 ? 'tetrahedron' : 'triangle';
+}
+
+function relabeled(e: TraceEvent, dimension: 2 | 3, domain: DomainCounts | undefined): string {
+  const cell = dimension === 2 ? 'triangle' : 'tetrahedron';
+  const cells = dimension === 2 ? 'triangles' : 'tetrahedra';
+  const lie = (n: number) => plural(n, `${cell} is`, `${cells} are`);
   if (!domain) return `${lie(e.other[1])} now known to be inside or outside the domain.`;
   const { inside, outside } = domain;
   if (outside === 0) return `${lie(inside)} now known to lie inside the domain.`;
@@ -53,15 +74,16 @@ function relabeled(e: TraceEvent, domain: DomainCounts | undefined): string {
   return `${lie(inside)} now known to lie inside the domain, and ${formatCount(outside)} outside.`;
 }
 
-function queued(e: TraceEvent, name: string): string {
+function queued(e: TraceEvent, name: string, dimension: 2 | 3): string {
   const it = capital(name);
+  const ball = ballName(e, dimension);
   switch (e.reason) {
     case Reason.encroached:
       return e.subject === NONE
-        ? `${it} is unacceptable: a vertex lies inside its diametral disk.`
-        : `${it} is unacceptable: vertex ${e.subject} lies inside its diametral disk.`;
+        ? `${it} is unacceptable: a vertex lies inside its ${ball}.`
+        : `${it} is unacceptable: vertex ${e.subject} lies inside its ${ball}.`;
     case Reason.witness:
-      return `${it} is unacceptable: vertex ${e.subject} is a 1-feature size witness inside its diametral disk.`;
+      return `${it} is unacceptable: vertex ${e.subject} is a 1-feature size witness inside its ${ball}.`;
     case Reason.missing:
       return `${it} is unacceptable: it is not an edge of the Delaunay triangulation.`;
     case Reason.radiusEdge:
@@ -69,9 +91,9 @@ function queued(e: TraceEvent, name: string): string {
     case Reason.size:
       return `${it} is unacceptable: its circumradius, ${formatNumber(e.value)}, exceeds the size bound.`;
     case Reason.regionSize:
-      return `${it} is unacceptable: its area, ${formatNumber(e.value)}, exceeds the bound of its region.`;
+      return `${it} is unacceptable: its ${dimension === 2 ? 'area' : 'volume'}, ${formatNumber(e.value)}, exceeds the bound of its region.`;
     case Reason.tooLong:
-      return `${it} is unacceptable: it is ${formatNumber(e.value)} long, more than twice the shortest segment of its spindle, and vertex ${e.subject} lies inside its diametral disk.`;
+      return `${it} is unacceptable: it is ${formatNumber(e.value)} long, more than twice the shortest segment of its spindle, and vertex ${e.subject} lies inside its ${ball}.`;
     case Reason.yieldedTo:
       return `${it} is queued: a circumcenter yielded to it.`;
     case Reason.returned:
@@ -79,6 +101,12 @@ function queued(e: TraceEvent, name: string): string {
     default:
       return `${it} is queued.`;
   }
+}
+
+/** The smallest ball that circumscribes a subsegment or, in space, a triangle. */
+function ballName(e: TraceEvent, dimension: 2 | 3): string {
+  if (e.dimension === 2 && dimension === 3) return 'equatorial ball';
+  return dimension === 3 ? 'diametral ball' : 'diametral disk';
 }
 
 function inserted(e: TraceEvent, name: string): string {

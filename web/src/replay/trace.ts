@@ -1,11 +1,13 @@
 import { NEVER, VertexKind } from '../shared/types.ts';
 import { EVENT_BYTES, Kind, NONE, Reason, type TraceEvent } from './event.ts';
 import { GrowF64, GrowU8, GrowU32 } from './grow.ts';
+import { ascending, canonical, Lives } from './lives.ts';
 import { QueueHistory } from './queue.ts';
 import { SimplexTable } from './simplex-table.ts';
 
 /** What the trace is about: the input that the numbers refer to. */
 export interface TraceInput {
+  readonly dimension?: 2 | 3; // the plane, if nothing is said
   readonly vertexCount: number;
   readonly segments: readonly (readonly [number, number])[];
 }
@@ -27,13 +29,17 @@ export class Trace {
   readonly vertexRadius = new GrowF64();
   vertexCount = 0;
 
-  readonly triangles = new GrowU32();
-  readonly triangleLabel = new GrowU8();
-  readonly triangleBorn = new GrowU32();
-  readonly triangleDied = new GrowU32();
-  get triangleCount(): number {
-    return this.triangleLabel.length;
+  /** Triangles in the plane (counter-clockwise), tetrahedra in space (positively oriented): `dimension + 1` vertices a cell. */
+  readonly cellLives: Lives;
+  readonly cells: GrowU32;
+  readonly cellLabel: GrowU8;
+  readonly cellBorn: GrowU32;
+  readonly cellDied: GrowU32;
+  get cellCount(): number {
+    return this.cellLives.count;
   }
+  /** In space, the triangles of each face's own triangulation: a, b, c (counter-clockwise about its normal), face. */
+  readonly facetLives: Lives | null;
 
   readonly subsegments = new GrowU32();
   readonly subsegmentBorn = new GrowU32();
@@ -41,11 +47,6 @@ export class Trace {
   get subsegmentCount(): number {
     return this.subsegmentBorn.length;
   }
-
-  /** Numbers of the triangles that event i changed: the dead, then the born; `changeStart[i]` … `changeStart[i + 1]`. */
-  readonly changes = new GrowU32();
-  readonly changeStart = new GrowU32();
-  readonly changeDead = new GrowU32();
 
   /** How many events of a kind lie before event i: counts, density and jumps are differences of these. */
   readonly insertedBefore = new GrowU32();
@@ -60,15 +61,23 @@ export class Trace {
   private bytes = new Uint8Array(64 * 1024);
   private words = new Uint32Array(this.bytes.buffer);
   private doubles = new Float64Array(this.bytes.buffer);
-  private readonly liveTriangles = new SimplexTable();
   private readonly liveSubsegments = new SimplexTable();
 
+  readonly dimension: 2 | 3;
+
   constructor(readonly input: TraceInput) {
+    this.dimension = input.dimension ?? 2;
+    this.cellLives = new Lives(this.dimension === 2 ? 3 : 4);
+    this.facetLives = this.dimension === 2 ? null : new Lives(4);
+    const { vertices, label, born, died } = this.cellLives;
+    this.cells = vertices;
+    this.cellLabel = label;
+    this.cellBorn = born;
+    this.cellDied = died;
     for (const [i, [a, b]] of input.segments.entries()) this.bearSubsegment(a, b, i, 0);
     this.insertedBefore.push(0);
     this.refusedBefore.push(0);
     this.yieldedBefore.push(0);
-    this.changeStart.push(0);
   }
 
   /** Takes the next part. The simplex stream holds (dimension + 2) numbers for each simplex. */
@@ -97,7 +106,7 @@ export class Trace {
     const double = index * 8;
     const dimension = this.bytes[byte + 1]!;
     const simplex: number[] = [];
-    for (let k = 0; k <= dimension && dimension > 0 && k < 3; k++) {
+    for (let k = 0; k <= dimension && dimension > 0 && k < 4; k++) {
       const v = this.words[word + 1 + k]!;
       if (v !== NONE) simplex.push(v);
     }
@@ -109,10 +118,12 @@ export class Trace {
       step: this.bytes[byte + 3]!,
       simplex,
       segment: dimension === 1 ? this.words[word + 4]! : NONE,
+      face: dimension === 2 && this.dimension === 3 ? this.words[word + 4]! : NONE,
       center: dimension === 1 ? this.words[word + 3]! : NONE,
       subject: this.words[word + 5]!,
       other: [this.words[word + 6]!, this.words[word + 7]!],
       at: [this.doubles[double + 4]!, this.doubles[double + 5]!],
+      place: [this.doubles[double + 4]!, this.doubles[double + 5]!, this.doubles[double + 6]!],
       value: this.doubles[double + 7]!,
     };
   }
@@ -121,30 +132,56 @@ export class Trace {
     const event = this.event(i);
     const last = this.stepStarts.at(-1);
     if (!last || last.step !== event.step) this.stepStarts.push({ step: event.step, event: i });
-    let stream = start;
-    let dead = 0;
     this.queue.record(event);
-    if (event.kind === Kind.inserted || event.kind === Kind.relabeled) {
-      if (event.kind === Kind.inserted) this.bearVertex(event);
-      const [deadCount, bornCount] = event.other;
-      const isRelabel = event.kind === Kind.relabeled;
-      const skipped = new Set<number>();
-      for (let k = 0; k < deadCount; k++, stream += 4) {
-        if (this.killTriangle(simplices, stream, i)) dead++;
-        // A relabeled triangle may be listed twice; it is one change.
-        else if (isRelabel) skipped.add(k);
-        else throw new Error(`event ${i}: a triangle died that never lived`);
-      }
-      for (let k = 0; k < bornCount; k++, stream += 4) {
-        if (!skipped.has(k)) this.bearTriangle(simplices, stream, i);
-      }
-    }
-    this.changeDead.push(dead);
-    this.changeStart.push(this.changes.length);
+    if (event.kind === Kind.inserted) this.bearVertex(event);
+    const stream =
+      event.kind === Kind.inserted || event.kind === Kind.relabeled
+        ? this.changeCells(event, simplices, start)
+        : event.kind === Kind.faceChanged
+          ? this.changeFacets(event, simplices, start)
+          : start;
+    this.cellLives.close();
+    this.facetLives?.close();
     this.insertedBefore.push(this.insertedBefore.at(i) + (event.kind === Kind.inserted ? 1 : 0));
     this.refusedBefore.push(this.refusedBefore.at(i) + (event.kind === Kind.refused ? 1 : 0));
     this.yieldedBefore.push(this.yieldedBefore.at(i) + (event.kind === Kind.yielded ? 1 : 0));
     return stream;
+  }
+
+  private changeCells(event: TraceEvent, simplices: Uint32Array, start: number): number {
+    const [deadCount, bornCount] = event.other;
+    const width = this.dimension + 2;
+    const isRelabel = event.kind === Kind.relabeled;
+    const skipped = new Set<number>();
+    let stream = start;
+    for (let k = 0; k < deadCount; k++, stream += width) {
+      if (this.killCell(simplices, stream, event.index)) continue;
+      // A relabeled cell may be listed twice; it is one change.
+      if (isRelabel) skipped.add(k);
+      else throw new Error(`event ${event.index}: a cell died that never lived`);
+    }
+    for (let k = 0; k < bornCount; k++, stream += width) {
+      if (!skipped.has(k)) this.bearCell(simplices, stream, event.index);
+    }
+    return stream;
+  }
+
+  /** Records of a face: its triangles, nothing, and 4 times the face plus the label. */
+  private changeFacets(event: TraceEvent, simplices: Uint32Array, start: number): number {
+    const lives = this.facetLives;
+    if (!lives) throw new Error(`event ${event.index}: there are no faces in the plane`);
+    const [deadCount, bornCount] = event.other;
+    const end = start + 5 * (deadCount + bornCount);
+    for (let stream = start; stream < end; stream += 5) {
+      const corners = simplices.subarray(stream, stream + 3) as unknown as [number, number, number];
+      const face = simplices[stream + 4]! >>> 2;
+      const record = [...canonical(...corners), face] as [number, number, number, number];
+      if (stream >= start + 5 * deadCount)
+        lives.bear(record, record, simplices[stream + 4]! & 3, event.index);
+      else if (!lives.kill(record, event.index))
+        throw new Error(`event ${event.index}: a triangle of a face died that never lived`);
+    }
+    return end;
   }
 
   private bearVertex(event: TraceEvent): void {
@@ -157,11 +194,12 @@ export class Trace {
     this.vertexCount = this.vertexBorn.length;
     this.vertexBorn.data[v] = event.index;
     this.vertexStep.data[v] = event.step;
-    this.vertexKind.data[v] = vertexKindOf(event);
-    this.coordinates.set(2 * v, event.at[0]);
-    this.coordinates.set(2 * v + 1, event.at[1]);
+    this.vertexKind.data[v] = vertexKindOf(event, this.dimension);
+    for (let k = 0; k < this.dimension; k++)
+      this.coordinates.set(this.dimension * v + k, event.place[k]!);
     this.vertexRadius.set(v, event.value);
-    if (event.reason === Reason.box && ++this.boxCorners === 4) this.bearBox(event.index);
+    if (event.reason === Reason.box && ++this.boxCorners === 2 ** this.dimension)
+      this.bearBox(event.index);
     // Arcs of protecting circles are no subsegments of the input.
     if (event.dimension === 1 && event.simplex.length === 2 && event.center === NONE) {
       const [a, b] = event.simplex as [number, number];
@@ -171,34 +209,44 @@ export class Trace {
     }
   }
 
-  /** The sides of the box are segments, too; no input lists them. */
+  /** The sides (edges) of the box are segments, too; no input lists them. Its corners differ in one coordinate there. */
   private bearBox(event: number): void {
+    const { dimension } = this;
     const first = this.input.vertexCount;
-    for (let i = 0; i < 4; i++) this.bearSubsegment(first + i, first + ((i + 1) % 4), NONE, event);
+    const at = this.coordinates.data;
+    const differences = (a: number, b: number) => {
+      let count = 0;
+      for (let k = 0; k < dimension; k++) {
+        if (at[dimension * a + k] !== at[dimension * b + k]) count++;
+      }
+      return count;
+    };
+    for (let a = first; a < first + 2 ** dimension; a++) {
+      for (let b = a + 1; b < first + 2 ** dimension; b++) {
+        if (differences(a, b) === 1) this.bearSubsegment(a, b, NONE, event);
+      }
+    }
   }
 
-  private bearTriangle(stream: Uint32Array, at: number, event: number): void {
-    const [a, b, c] = canonical(stream[at]!, stream[at + 1]!, stream[at + 2]!);
-    const number = this.triangleCount;
-    this.triangles.push(a);
-    this.triangles.push(b);
-    this.triangles.push(c);
-    this.triangleLabel.push(stream[at + 3]!);
-    this.triangleBorn.push(event);
-    this.triangleDied.push(NEVER);
-    this.liveTriangles.set(a, b, c, number);
-    this.changes.push(number);
+  private bearCell(stream: Uint32Array, at: number, event: number): void {
+    const [a, b, c, d] = stream.subarray(at, at + 4) as unknown as [number, number, number, number];
+    if (this.dimension === 2) {
+      const name = [...canonical(a, b, c), NONE] as [number, number, number, number];
+      this.cellLives.bear(name, name, d, event);
+    } else {
+      this.cellLives.bear([a, b, c, d], ascending(a, b, c, d), stream[at + 4]!, event);
+    }
   }
 
-  /** False if there is no such triangle. */
-  private killTriangle(stream: Uint32Array, at: number, event: number): boolean {
-    const [a, b, c] = canonical(stream[at]!, stream[at + 1]!, stream[at + 2]!);
-    const number = this.liveTriangles.take(a, b, c);
-    if (number < 0) return false;
-    this.triangleDied.data[number] = event;
-    this.changes.push(number);
-    // A relabeled triangle is born again at once and keeps its place in the queue.
-    if (this.kind(event) === Kind.inserted) this.queue.died(a, b, c, event);
+  /** False if there is no such cell. */
+  private killCell(stream: Uint32Array, at: number, event: number): boolean {
+    const [a, b, c, d] = stream.subarray(at, at + 4) as unknown as [number, number, number, number];
+    const name: [number, number, number, number] =
+      this.dimension === 2 ? [...canonical(a, b, c), NONE] : ascending(a, b, c, d);
+    if (!this.cellLives.kill(name, event)) return false;
+    // A relabeled cell is born again at once and keeps its place in the queue.
+    if (this.kind(event) === Kind.inserted)
+      this.queue.died(this.dimension === 2 ? name.slice(0, 3) : name, event);
     return true;
   }
 
@@ -232,14 +280,9 @@ export class Trace {
   }
 }
 
-/** Rotated so that the smallest vertex comes first: one name for a triangle, orientation kept. */
-export function canonical(a: number, b: number, c: number): [number, number, number] {
-  if (a < b && a < c) return [a, b, c];
-  return b < c ? [b, c, a] : [c, a, b];
-}
-
-function vertexKindOf(event: TraceEvent): VertexKind {
+function vertexKindOf(event: TraceEvent, dimension: number): VertexKind {
   if (event.reason === Reason.input) return VertexKind.input;
   if (event.reason === Reason.box) return VertexKind.box;
-  return event.dimension === 1 && event.center === NONE ? VertexKind.onSegment : VertexKind.free;
+  if (event.dimension === 1 && event.center === NONE) return VertexKind.onSegment;
+  return dimension === 3 && event.dimension === 2 ? VertexKind.inFace : VertexKind.free;
 }

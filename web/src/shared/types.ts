@@ -1,15 +1,17 @@
 /**
  * The seam between the parts of the page: what the replay gives, what the picture draws, what the editor edits.
  * Nothing here has behavior. Coordinates are the doubles of the core; the picture rebases them before they become
- * single precision. Vertices, triangles and subsegments are named by number:
+ * single precision. Vertices, cells (triangles in the plane, tetrahedra in space) and subsegments are named by number:
  *   vertex number      as in the mesh (input, box, then Steiner vertices by birth)
- *   triangle number    order of birth in the trace (a triangle that dies and is born again has two numbers)
+ *   cell number        order of birth in the trace (a cell that dies and is born again has two numbers)
+ *   facet number       the same of the triangles of faces, in space
  *   subsegment number  order of birth, the input's segments first
  */
 
 import type { OverlayFacts } from './overlay-facts';
 
 export type Point = readonly [number, number];
+export type Point3 = readonly [number, number, number];
 
 // ---------------------------------------------------------------------------------------------- the document
 
@@ -33,6 +35,36 @@ export interface Region2 {
 
 export const emptyComplex: Complex2 = { vertices: [], segments: [], holes: [], regions: [] };
 
+/** A complex of space: opened, looked at and played, not edited. Indices as in the project's JSON (docs/formats.md). */
+export interface Complex3 {
+  readonly dimension: 3;
+  readonly vertices: readonly Point3[];
+  readonly segments: readonly (readonly [number, number])[];
+  readonly faces: readonly Face3[];
+  readonly holes: readonly Point3[];
+  readonly regions: readonly { at: Point3; label: number; max?: number }[];
+  readonly markers?: {
+    readonly vertices?: readonly number[];
+    readonly segments?: readonly number[];
+    readonly faces?: readonly number[];
+  };
+}
+
+/** A planar polygon with what lies in it: loops of vertices, places of holes, segments and vertices by index. */
+export interface Face3 {
+  readonly loops: readonly (readonly number[])[];
+  readonly holes: readonly Point3[];
+  readonly segments: readonly number[];
+  readonly vertices: readonly number[];
+}
+
+/** What a run is about. */
+export type Input = Complex2 | Complex3;
+
+export function isSpace(input: Input): input is Complex3 {
+  return 'faces' in input;
+}
+
 /** What is selected in the document, by index. */
 export interface Selection {
   readonly vertices: ReadonlySet<number>;
@@ -55,42 +87,55 @@ export interface DefectMark {
 export const VertexKind = { input: 0, box: 1, onSegment: 2, inFace: 3, free: 4 } as const;
 export type VertexKind = (typeof VertexKind)[keyof typeof VertexKind];
 
-/** Domain label of a triangle in the trace. */
+/** Domain label of a cell in the trace, or of a triangle in a face's own triangulation. */
 export const Label = { unknown: 0, inside: 1, outside: 2 } as const;
 
-/** "Never died": value of `triangleDied` and `subsegmentDied` for what is still alive at the end of the trace. */
+/** "Never died": value of `cellDied` and `subsegmentDied` for what is still alive at the end of the trace. */
 export const NEVER = 0xffffffff;
 
 /**
  * The mesh at a position of the trace (`position` events applied). The arrays indexed by number hold *everything that
  * the trace ever made* and may be longer than their counts; what exists now is listed in the `live` arrays
- * (first `liveTriangleCount` / `liveSubsegmentCount` entries, no particular order) and by `vertexBorn[v] < position`.
+ * (first `liveCellCount` / `liveSubsegmentCount` entries, no particular order) and by `vertexBorn[v] < position`.
  * Arrays are owned by the replay: read them at once, don't keep them. Born/died are event indices: event i makes
  * position i + 1, so a thing is alive iff born < position <= died.
  */
 export interface MeshState {
+  readonly dimension: 2 | 3;
   readonly position: number;
   readonly vertexCount: number;
-  readonly coordinates: Float64Array; // 2 numbers a vertex
+  readonly coordinates: Float64Array; // `dimension` numbers a vertex
   readonly vertexKind: Uint8Array;
   readonly vertexBorn: Uint32Array; // event index; NEVER: not yet known
   readonly vertexStep: Uint8Array; // index of the step that made it
 
-  readonly triangleCount: number;
-  readonly triangles: Uint32Array; // 3 vertices a triangle, counter-clockwise
-  readonly triangleLabel: Uint8Array;
-  readonly triangleBorn: Uint32Array;
-  readonly triangleDied: Uint32Array;
-  readonly liveTriangles: Uint32Array;
-  readonly liveTriangleCount: number;
+  readonly cellCount: number;
+  readonly cells: Uint32Array; // `dimension + 1` vertices a cell, positively oriented
+  readonly cellLabel: Uint8Array;
+  readonly cellBorn: Uint32Array;
+  readonly cellDied: Uint32Array;
+  readonly liveCells: Uint32Array;
+  readonly liveCellCount: number;
 
   readonly subsegments: Uint32Array; // 3 numbers: a, b, input segment (0xffffffff: of the box)
   readonly subsegmentBorn: Uint32Array;
   readonly liveSubsegments: Uint32Array;
   readonly liveSubsegmentCount: number;
+
+  readonly facets: FacetState | null; // in space
 }
 
-/** What one event changed, for the motion that explains it. Numbers of triangles; `vertex` is -1 if none landed. */
+/** The triangles of the faces' own triangulations, as the cells are in MeshState. */
+export interface FacetState {
+  readonly count: number;
+  readonly triangles: Uint32Array; // 4 numbers: a, b, c (counter-clockwise about the normal of the face), face
+  readonly label: Uint8Array;
+  readonly born: Uint32Array;
+  readonly live: Uint32Array;
+  readonly liveCount: number;
+}
+
+/** What one event changed, for the motion that explains it. Numbers of cells; `vertex` is -1 if none landed. */
 export interface MeshChange {
   readonly died: Uint32Array;
   readonly born: Uint32Array;
@@ -108,23 +153,33 @@ export type MomentKind =
   | 'yielded'
   | 'inserted'
   | 'relabeled'
-  | 'limit';
+  | 'limit'
+  | 'face-changed';
 
 /** Which of the four rules is acting at a moment. */
 export type RuleName = 'action' | 'priority' | 'unacceptability' | 'safety';
 
 /** What a moment (the event that led to the position) shows in the picture. Missing things are null. */
-export interface Moment {
+interface MomentOf<P> {
   readonly kind: MomentKind;
   readonly rule: RuleName | null;
-  readonly simplex: readonly number[]; // vertices of the simplex in hand: 1, 2 or 3; empty if none
+  readonly simplex: readonly number[]; // vertices of the simplex in hand: 1 to 4; empty if none
   readonly witness: number | null; // vertex, ringed and joined to the simplex by a dotted line
-  readonly ball: { readonly center: Point; readonly radius: number } | null; // thin circle
-  readonly ghost: Point | null; // refused or yielding point: hollow, with a cross
+  readonly ball: { readonly center: P; readonly radius: number } | null; // thin circle, or a sphere
+  readonly ghost: P | null; // refused or yielding point: hollow, with a cross
   readonly yieldTo: readonly [number, number] | null; // subsegment: arrow from the ghost to its midpoint
   readonly vertex: number | null; // the vertex that has just landed
   readonly change: MeshChange | null;
   readonly sentence: string;
+}
+export interface Moment extends MomentOf<Point> {
+  readonly dimension: 2;
+}
+/** In space; `face` is the input face that the event is about. */
+export interface Moment3 extends MomentOf<Point3> {
+  readonly dimension: 3;
+  readonly face: number | null;
+  readonly facets: Uint32Array; // triangles of a face's own triangulation that were born
 }
 
 // ---------------------------------------------------------------------------------------------- the picture
@@ -137,7 +192,16 @@ export type ColorMode =
   | 'step'
   | 'age'
   | 'region'
-  | 'error';
+  | 'error'
+  | 'dihedral'
+  | 'radiusEdge'
+  | 'volume';
+
+/** What cells can be colored by; errors are measured, and shown, beside the numbers of the Numerics tab. */
+export const colorModes: { readonly 2: readonly ColorMode[]; readonly 3: readonly ColorMode[] } = {
+  2: ['plain', 'quality', 'size', 'radius', 'step', 'age', 'region'],
+  3: ['plain', 'dihedral', 'radiusEdge', 'volume', 'radius', 'step', 'age'],
+};
 
 /** A color scale laid over the triangles; the picture fills it in when it colors, the legend reads it. */
 export interface ColorScale {

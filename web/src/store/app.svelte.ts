@@ -1,11 +1,19 @@
 import type { AlgorithmInfo, Defect, RunOptions } from 'circumball';
 import { CoreClient, type CoreLoss } from '../core/client.ts';
-import { complexFromJson } from '../core/complex-json.ts';
+import { inputFromJson } from '../core/complex-json.ts';
 import type { Hello } from '../core/worker.ts';
 import type { ComparisonOptions, Shared } from '../link/link.ts';
 import { point } from '../replay/geometry.ts';
+import { centroid, point3 } from '../replay/geometry3.ts';
 import { refinedComplex } from '../replay/refined-complex.ts';
-import { type Complex2, emptyComplex, type Point, type View } from '../shared/types.ts';
+import {
+  emptyComplex,
+  type Input,
+  type Point,
+  type Point3,
+  type View,
+} from '../shared/types.ts';
+import type { SpaceHit, SpaceView } from '../space/types.ts';
 import { texts } from '../texts.ts';
 import { asSentence, formatNumber } from '../words.ts';
 import { Comparison } from './comparison.svelte.ts';
@@ -15,6 +23,7 @@ import { type FamilyChoice, NumericsStore } from './numerics.svelte.ts';
 import { Pane } from './pane.svelte.ts';
 import { Settings } from './settings.svelte.ts';
 import { TriangleStore } from './triangle.svelte.ts';
+import { SpaceSettings } from './space.svelte.ts';
 import { RepetitionZoom } from './zoom.svelte.ts';
 
 export type DialogId = 'gallery' | 'export' | 'share' | 'help' | 'triangle';
@@ -28,6 +37,7 @@ export interface Notice {
 /** The one store: what the page is about. Parts of the interface read it; actions (actions/) and it alone change it. */
 export class App {
   readonly settings = new Settings();
+  readonly look = new SpaceSettings();
   readonly core = new CoreClient((loss) => this.coreLost(loss));
   readonly doc = new DocumentStore(this.core);
   readonly features = new FeatureStore(this.core);
@@ -55,6 +65,7 @@ export class App {
   sheetOpen = $state(false);
   /** A view to restore, or the whole input to show, once the picture has it. */
   pendingView: View | null = null;
+  pendingSpaceView: SpaceView | null = null;
   pendingFit = false;
 
   /** What the panel is about; all others are shorthand for what is in it. */
@@ -70,6 +81,10 @@ export class App {
   }
   get picture() {
     return this.pane.picture;
+  }
+  /** Whichever of the two pictures the page shows: what both of them can do. */
+  get shown() {
+    return this.inSpace ? this.pane.spacePicture : this.pane.picture;
   }
   get picked() {
     return this.pane.picked;
@@ -95,35 +110,41 @@ export class App {
   );
   readonly zoom = new RepetitionZoom(this);
 
+  readonly inSpace = $derived(this.doc.solid !== null);
+  readonly dimension = $derived<2 | 3>(this.inSpace ? 3 : 2);
   readonly algorithms = $derived<readonly AlgorithmInfo[]>(
-    (this.hello?.algorithms ?? []).filter((a) => a.dimension === 2),
+    (this.hello?.algorithms ?? []).filter((a) => a.dimension === this.dimension),
   );
   readonly algorithm = $derived(this.algorithms.find((a) => a.id === this.parameters.algorithm));
   /** The finished or growing run is about the input as it is drawn now. */
   readonly fresh = $derived(
-    this.first.run.trace !== null && this.first.run.complex === this.doc.complex,
+    this.first.run.trace !== null && this.first.run.complex === this.doc.input,
   );
 
   /** Are errors of a function measured and shown? */
-  readonly measures = $derived(this.mode === 'watch' && this.tab === 'numerics');
+  readonly measures = $derived(
+    !this.inSpace && this.mode === 'watch' && this.tab === 'numerics',
+  );
   /** The mesh in the picture that is not the run's. */
   readonly still = $derived(this.measures ? this.numerics.still : null);
 
   private readonly boxed = $derived.by(() => {
     const { trace, traceVersion } = this.first.run;
     void traceVersion;
-    return this.fresh && refinedComplex(this.doc.complex, trace) !== this.doc.complex;
+    return !this.inSpace && this.fresh && refinedComplex(this.doc.complex, trace) !== this.doc.complex;
   });
   /** What feature sizes are about: the input, and the box about it if the run made one. */
-  readonly featureComplex = $derived(
-    this.boxed ? refinedComplex(this.doc.complex, this.first.run.trace) : this.doc.complex,
-  );
+  readonly featureComplex = $derived.by(() => {
+    if (this.inSpace) return emptyComplex;
+    const { complex } = this.doc;
+    return this.boxed ? refinedComplex(complex, this.first.run.trace) : complex;
+  });
 
   constructor() {
     this.doc.onChange(() => {
-      const isStale = ({ run }: Pane) => run.complex && run.complex !== this.doc.complex;
+      const isStale = ({ run }: Pane) => run.complex && run.complex !== this.doc.input;
       if (this.panes.some(isStale)) this.discardRun();
-      for (const pane of this.panes) pane.picked = null;
+      for (const pane of this.panes) pane.unpick();
     });
   }
 
@@ -138,20 +159,42 @@ export class App {
   }
 
   /** Puts another input in place of this one, and refines it if `options` are given. */
-  open(complex: Complex2, title: string, options?: RunOptions): void {
+  open(input: Input, title: string, options?: RunOptions): void {
     this.discardRun();
-    this.doc.editor.replace(complex, texts.open.opened(title));
+    this.doc.open(input, texts.open.opened(title));
     this.doc.title = title;
     if (options) this.first.parameters.adopt(options);
+    this.settleDimension();
     this.pendingView = null;
+    this.pendingSpaceView = null;
     this.pendingFit = true;
+  }
+
+  /** Back to the drawing that a complex of space was opened over. */
+  closeSpace(): void {
+    this.doc.close();
+    this.settleDimension();
+    this.mode = 'draw';
+    this.pendingFit = true;
+  }
+
+  /** Each dimension has algorithms of its own, and no others; in space nothing is drawn or measured. */
+  private settleDimension(): void {
+    for (const { parameters } of this.panes) {
+      if (this.algorithms.length > 0 && !this.algorithms.some((a) => a.id === parameters.algorithm))
+        parameters.adopt({ algorithm: this.algorithms[0]!.id });
+    }
+    if (!this.inSpace) return;
+    this.mode = 'watch';
+    this.numerics.leave();
+    if (this.tab === 'numerics') this.tab = 'why';
   }
 
   /** Refines the input as it is, under both algorithms while comparing. Resolves when that has ended. */
   async refine(
     then: { play?: boolean; moment?: number; tick?: number | null } = {},
   ): Promise<void> {
-    if (this.doc.complex.vertices.length === 0) {
+    if (this.doc.input.vertices.length === 0) {
       this.say(texts.empty.title);
       return;
     }
@@ -202,12 +245,8 @@ export class App {
     if (!main) return;
     try {
       const answer = await this.core.read([main, ...files.filter((f) => f !== main)]);
-      if (answer.complex?.dimension === 3) {
-        this.say(texts.open.three, 'bad');
-        return;
-      }
       const fatal = answer.defects.filter((d) => !d.warning);
-      const complex = answer.complex ? complexFromJson(answer.complex) : emptyComplex;
+      const complex = answer.complex ? inputFromJson(answer.complex) : emptyComplex;
       const readable = complex.vertices.length > 0;
       if (readable) this.open(complex, main.name);
       this.showDefects(answer.defects);
@@ -221,7 +260,7 @@ export class App {
         this.tab = 'setup';
       } else {
         this.say(texts.open.opened(main.name));
-        await this.refine({});
+        if (this.algorithms.length > 0) await this.refine({});
       }
     } catch {
       this.say(texts.open.failed(main.name), 'bad');
@@ -236,9 +275,11 @@ export class App {
     if (shared.color) this.settings.color = shared.color;
     if (shared.overlays) this.settings.showOverlays(shared.overlays);
     this.pendingView = shared.view;
+    this.pendingSpaceView = shared.space?.view ?? null;
+    if (shared.space) this.look.adopt(shared.space.look);
     const tick = shared.compare?.tick ?? null;
     if (shared.moment !== null) await this.refine({ moment: shared.moment, tick });
-    else if (!shared.triangle) this.mode = 'draw';
+    else if (!shared.triangle && !this.inSpace) this.mode = 'draw';
     // After the run: a mesh that is no run's is left when the playhead moves.
     if (shared.numerics) {
       this.numerics.adopt(shared.numerics);
@@ -255,10 +296,13 @@ export class App {
     const { second, pace, clock } = this.comparison;
     const tick = this.fresh ? clock.position : null;
     return {
-      complex: this.doc.complex,
+      complex: this.doc.input,
       options: this.optionsOf(this.first),
       moment: this.fresh ? this.first.playback.position : null,
       view: this.first.picture?.getView() ?? null,
+      ...(this.inSpace
+        ? { space: { view: this.first.spacePicture?.getView() ?? null, look: this.look.shared() } }
+        : {}),
       color: this.settings.color,
       overlays: this.settings.shownOverlays,
       ...(this.tab === 'numerics' && this.numerics.expression !== ''
@@ -308,6 +352,39 @@ export class App {
     this.features.pin(exact ? point(trace.coordinates.data, vertex) : at);
   }
 
+  /** Brings a place of the world to the middle of the picture. */
+  centerOn(at: readonly number[]): void {
+    const [x = 0, y = 0, z = 0] = at;
+    if (this.inSpace) {
+      this.pane.spacePicture?.centerOn([x, y, z]);
+      return;
+    }
+    const view = this.picture?.getView();
+    if (view) this.picture?.setView({ ...view, x, y });
+  }
+
+  /** Brings what was pressed twice to the middle, and turns about it from then on. */
+  centerOnHit(pane: Pane, hit: SpaceHit): void {
+    const state = pane.playback.replay?.state();
+    const { solid } = this.doc;
+    if (!solid) return;
+    const place = (v: number): Point3 =>
+      state && v < state.vertexCount ? point3(state.coordinates, v) : solid.vertices[v]!;
+    const of = (list: ArrayLike<number>) =>
+      pane.spacePicture?.centerOn(centroid(Array.from(list, place)));
+    if (hit.vertex !== null) of([hit.vertex]);
+    else if (hit.subsegment !== null)
+      of(
+        state?.subsegments.subarray(3 * hit.subsegment, 3 * hit.subsegment + 2) ??
+          solid.segments[hit.subsegment] ??
+          [],
+      );
+    else if (hit.cell !== null && state) of(state.cells.subarray(4 * hit.cell, 4 * hit.cell + 4));
+    else if (hit.facet !== null && state?.facets)
+      of(state.facets.triangles.subarray(4 * hit.facet, 4 * hit.facet + 3));
+    else if (hit.face !== null) of(solid.faces[hit.face]?.loops[0] ?? []);
+  }
+
   discardRun(): void {
     this.comparison.clock.pause();
     this.comparison.clock.position = 0;
@@ -340,8 +417,8 @@ export class App {
 
   private async start(pane: Pane, onLoaded: () => void): Promise<void> {
     const { run, playback, parameters } = pane;
-    pane.picked = null;
-    await run.start(this.doc.complex, parameters.options(this.algorithms), () => {
+    pane.unpick();
+    await run.start(this.doc.input, parameters.options(this.algorithms), () => {
       if (!run.trace) return;
       playback.load(run.trace);
       onLoaded();
@@ -366,7 +443,7 @@ export class App {
   private failed(): void {
     const { defects, error } = this.first.run;
     this.showDefects(defects);
-    this.mode = 'draw';
+    if (!this.inSpace) this.mode = 'draw';
     this.tab = 'setup';
     this.say(defects[0]?.message ?? (error || texts.run.failed), 'bad');
   }

@@ -4,8 +4,11 @@ import { complexToText } from '../core/complex-json.ts';
 import { createEditor } from '../editor/index.ts';
 import {
   type Complex2,
+  type Complex3,
   type Editor,
   emptyComplex,
+  type Input,
+  isSpace,
   type Selection,
   type Sketch,
   type SnapOptions,
@@ -16,6 +19,12 @@ import {
 export class DocumentStore {
   readonly editor: Editor = createEditor(emptyComplex);
   complex = $state.raw<Complex2>(emptyComplex);
+  /** A complex of space in place of the drawing, which is kept beneath it. */
+  solid = $state.raw<Complex3 | null>(null);
+  /** What the faces of `solid` are filled with: four numbers a triangle, three vertices and the face. */
+  faceTriangles = $state.raw<Uint32Array>(new Uint32Array(0));
+  /** What runs, exports and links are about. */
+  readonly input = $derived<Input>(this.solid ?? this.complex);
   selection = $state.raw<Selection>(this.editor.selection);
   sketch = $state.raw<Sketch | null>(null);
   snap = $state.raw<SnapOptions>(this.editor.snap);
@@ -50,12 +59,33 @@ export class DocumentStore {
     this.listeners.add(listener);
   }
 
+  /** Puts another input in place of this one; one of the plane can be undone. */
+  open(input: Input, title: string): void {
+    if (isSpace(input)) {
+      this.editor.cancel();
+      this.solid = input;
+      this.faceTriangles = new Uint32Array(0);
+      this.changed();
+    } else {
+      this.solid = null;
+      this.editor.replace(input, title);
+    }
+  }
+
+  /** Back to the drawing, which lay beneath a complex of space. */
+  close(): void {
+    if (!this.solid) return;
+    this.solid = null;
+    this.title = '';
+    this.changed();
+  }
+
   get text(): string {
-    return complexToText(this.complex);
+    return complexToText(this.input);
   }
 
   get isEmpty(): boolean {
-    const { vertices, holes, regions } = this.complex;
+    const { vertices, holes, regions } = this.input;
     return vertices.length + holes.length + regions.length === 0;
   }
 
@@ -71,6 +101,10 @@ export class DocumentStore {
     this.canRedo = this.editor.canRedo;
     this.undoTitle = this.editor.undoTitle;
     this.redoTitle = this.editor.redoTitle;
+    this.changed();
+  }
+
+  private changed(): void {
     this.checkSoon();
     for (const listener of this.listeners) listener();
   }
@@ -79,11 +113,15 @@ export class DocumentStore {
   private checkSoon(): void {
     clearTimeout(this.checking);
     this.checking = setTimeout(async () => {
-      const asked = this.complex;
+      const asked = this.input;
       try {
-        const defects =
-          asked.vertices.length > 0 ? await this.core.check(complexToText(asked)) : [];
-        if (asked === this.complex) this.defects = defects;
+        const text = complexToText(asked);
+        const defects = asked.vertices.length > 0 ? await this.core.check(text) : [];
+        if (asked !== this.input) return;
+        this.defects = defects;
+        if (!isSpace(asked)) return;
+        const triangles = await this.core.faceTriangles(text);
+        if (asked === this.input) this.faceTriangles = triangles;
       } catch {
         // The core was lost; it is checked again after the next change, and at the next run.
       }

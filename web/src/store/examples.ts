@@ -5,6 +5,7 @@ import type { NumericsOptions } from '../link/link.ts';
 export interface Example {
   readonly id: string;
   readonly title: string;
+  readonly dimension: number;
   readonly text: string;
   readonly files: readonly string[]; // the first one is read, the others are its siblings
   readonly options: RunOptions;
@@ -12,7 +13,7 @@ export interface Example {
   readonly numerics: NumericsOptions | null; // what is measured on the mesh
 }
 
-const urls = import.meta.glob('../../../examples/*.{json,poly,node,ele,svg,obj}', {
+const urls = import.meta.glob('../../../examples/*.{json,poly,smesh,node,ele,svg,obj,off,ply,stl}', {
   query: '?url',
   import: 'default',
   eager: true,
@@ -61,10 +62,10 @@ interface Entry {
 
 function parse(index: unknown): Example[] {
   return ((index ?? []) as Entry[])
-    .filter((e) => (e.dimension ?? 2) === 2)
     .map((e) => ({
       id: e.id,
       title: e.title,
+      dimension: e.dimension ?? 2,
       text: e.sentence,
       files: [e.file],
       options: { ...(e.algorithm ? { algorithm: e.algorithm } : {}), ...e.options },

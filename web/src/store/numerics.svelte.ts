@@ -75,7 +75,7 @@ export class NumericsStore {
     const { expression, method, norm } = this;
     this.ask(async (isWanted) => {
       const { mesh, numbers } = meshOf(state);
-      const count = state.triangleCount; // the state goes on while the core is at work
+      const count = state.cellCount; // the state goes on while the core is at work
       if (numbers.length === 0) return;
       const field = await this.apply(method, mesh, expression);
       if (!isWanted()) return;

@@ -1,6 +1,7 @@
 import type { CoreClient } from '../core/client.ts';
 import { findRepetitions, reachesPrecision } from '../replay/repetition.ts';
 import type { Hit, Picture } from '../shared/types.ts';
+import type { SpaceHit, SpacePicture } from '../space/types.ts';
 import { OverlayStore } from './overlays.svelte.ts';
 import { ParameterStore } from './parameters.svelte.ts';
 import { PlaybackStore } from './playback.svelte.ts';
@@ -14,11 +15,14 @@ export class Pane {
   readonly parameters = new ParameterStore();
   picked = $state.raw<Hit | null>(null);
   picture = $state.raw<Picture | null>(null);
+  /** The same of a run in space: a pane shows one of the two pictures. */
+  spacePicked = $state.raw<SpaceHit | null>(null);
+  spacePicture = $state.raw<SpacePicture | null>(null);
 
   /** Why the run would not have ended, where a limit (or the end of double precision) stopped it and that can be seen. */
   readonly repetition = $derived.by(() => {
     const { busy, phase, trace } = this.run;
-    if (!trace || busy) return null;
+    if (!trace || busy || trace.dimension === 3) return null;
     if (phase !== 'complete') return findRepetitions(trace)[0] ?? null;
     if (!reachesPrecision(trace)) return null;
     return findRepetitions(trace).find((r) => r.exhausted) ?? null;
@@ -37,6 +41,11 @@ export class Pane {
   discard(): void {
     this.playback.unload();
     this.run.discard();
+    this.unpick();
+  }
+
+  unpick(): void {
     this.picked = null;
+    this.spacePicked = null;
   }
 }

@@ -28,7 +28,7 @@ export class ParameterStore {
   }
 
   options(algorithms: readonly AlgorithmInfo[]): RunOptions {
-    const info = algorithms.find((a) => a.id === this.algorithm && a.dimension === 2);
+    const info = algorithms.find((a) => a.id === this.algorithm);
     const options: RunOptions = { algorithm: this.algorithm, maxVertices: this.maxVertices };
     const rest: Record<string, string> = {};
     for (const { name } of info?.parameters ?? []) {

@@ -3,7 +3,7 @@ import { momentAt } from '../replay/moment.ts';
 import { Replay } from '../replay/replay.ts';
 import { type JumpTarget, jump, weight } from '../replay/timeline.ts';
 import type { Trace } from '../replay/trace.ts';
-import type { MeshChange, Moment } from '../shared/types.ts';
+import type { MeshChange, Moment, Moment3 } from '../shared/types.ts';
 import { Clock } from './clock.svelte.ts';
 import type { RunStore } from './run.svelte.ts';
 
@@ -18,7 +18,7 @@ export class PlaybackStore extends Clock {
     void this.run.traceVersion;
     return this.run.trace?.eventCount ?? 0;
   });
-  readonly moment = $derived.by<Moment | null>(() => {
+  readonly moment = $derived.by<Moment | Moment3 | null>(() => {
     return this.replay && this.run.trace ? momentAt(this.replay, this.position) : null;
   });
 

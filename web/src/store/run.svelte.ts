@@ -2,7 +2,7 @@ import type { Defect, Progress, Report, RunOptions } from 'circumball';
 import { type CoreClient, CoreLost } from '../core/client.ts';
 import { complexToText } from '../core/complex-json.ts';
 import { Trace } from '../replay/trace.ts';
-import type { Complex2 } from '../shared/types.ts';
+import { type Input, isSpace } from '../shared/types.ts';
 
 export type RunPhase =
   | 'none'
@@ -27,7 +27,7 @@ export class RunStore {
   defects = $state.raw<readonly Defect[]>([]);
   /** What the run was started with, and what the core made of it. */
   options = $state.raw<RunOptions>({});
-  complex = $state.raw<Complex2 | null>(null);
+  complex = $state.raw<Input | null>(null);
   algorithm = $state('');
   tau = $state(0);
   domain = $state('');
@@ -41,7 +41,7 @@ export class RunStore {
   constructor(private readonly core: CoreClient) {}
 
   /** Starts a run and stays with it to its end. `onTrace` is called once, when there is a trace to look at. */
-  async start(complex: Complex2, options: RunOptions, onTrace: () => void): Promise<void> {
+  async start(complex: Input, options: RunOptions, onTrace: () => void): Promise<void> {
     const generation = ++this.generation;
     const isCurrent = () => generation === this.generation;
     if (this.busy) await this.core.stop();
@@ -61,7 +61,11 @@ export class RunStore {
       this.algorithm = answer.algorithm;
       this.tau = answer.tau;
       this.domain = answer.domain;
-      const trace = new Trace({ vertexCount: complex.vertices.length, segments: complex.segments });
+      const trace = new Trace({
+        dimension: isSpace(complex) ? 3 : 2,
+        vertexCount: complex.vertices.length,
+        segments: complex.segments,
+      });
       this.trace = trace;
       this.phase = 'running';
       onTrace();

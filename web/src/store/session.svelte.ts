@@ -1,5 +1,5 @@
 import type { RunOptions } from 'circumball';
-import { complexFromJson } from '../core/complex-json.ts';
+import { inputFromJson } from '../core/complex-json.ts';
 import { fromHash, toHash } from '../link/link.ts';
 import { texts } from '../texts.ts';
 import type { App } from './app.svelte.ts';
@@ -98,7 +98,7 @@ export async function openExample(
     return;
   }
   app.closeComparison();
-  app.open(complexFromJson(answer.complex), example.title, example.options);
+  app.open(inputFromJson(answer.complex), example.title, example.options);
   const beside = compare ?? example.compare;
   if (beside) await app.compare({ options: beside });
   const { numerics } = example;
@@ -140,7 +140,7 @@ function write(app: App): void {
 export function keepSaved(app: App): void {
   let timer: ReturnType<typeof setTimeout> | undefined;
   $effect(() => {
-    void [app.doc.complex, app.doc.title, app.settings.color, app.settings.overlays];
+    void [app.doc.input, app.doc.title, app.look.shared(), app.settings.color, app.settings.overlays];
     void [app.comparison.pace, app.clock.playing, app.tab, app.dialog];
     void [app.numerics.options(), app.triangle.corners, app.triangle.expression];
     for (const { parameters, run } of app.panes) {

@@ -10,8 +10,13 @@ export function caption(): string {
 
 function captionOf({ run, playback }: Pane): string {
   const { doc } = app;
-  const title = doc.title || 'A planar straight-line complex';
-  const input = `${formatCount(doc.complex.vertices.length)} vertices, ${formatCount(doc.complex.segments.length)} segments`;
+  const { solid, input: complex } = doc;
+  const title = doc.title || (solid ? 'A complex in space' : 'A planar straight-line complex');
+  const faces = solid ? `, ${formatCount(solid.faces.length)} faces` : '';
+  const input = `${formatCount(complex.vertices.length)} vertices, ${formatCount(complex.segments.length)} segments${faces}`;
+  const [cellsName, anglesName] = solid
+    ? ['tetrahedra', 'dihedral angles']
+    : ['triangles', 'angles'];
   if (!run.trace || !playback.replay || !playback.angles)
     return `${title} (${input}). Circumball ${app.hello?.version ?? ''}.`;
   const info = app.algorithms.find((a) => a.id === run.algorithm);
@@ -30,14 +35,14 @@ function captionOf({ run, playback }: Pane): string {
   // Not every algorithm has that threshold.
   if (run.tau > 0 && info?.parameters.some((p) => p.name === 'tau'))
     set.unshift(`τ = ${formatNumber(run.tau)}`);
-  const { triangles, minAngle, maxAngle } = histogram(playback.replay.state(), playback.angles);
+  const { cells, minAngle, maxAngle } = histogram(playback.replay.state(), playback.angles);
   const at =
     playback.position === playback.length
       ? ''
       : ` Event ${formatCount(playback.position)} of ${formatCount(playback.length)}: ${playback.moment?.sentence ?? ''}`;
   return (
     `${title} (${input}), ${algorithm}${set.length > 0 ? `, ${set.join(', ')}` : ''}: ` +
-    `${formatCount(triangles)} triangles, angles ${formatDegrees(minAngle)} to ${formatDegrees(maxAngle)}.${at}` +
+    `${formatCount(cells)} ${cellsName}, ${anglesName} ${formatDegrees(minAngle)} to ${formatDegrees(maxAngle)}.${at}` +
     ` Circumball ${app.hello?.version ?? ''}${run.report ? `, fingerprint ${run.report.fingerprint}` : ''}.`
   );
 }

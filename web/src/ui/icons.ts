@@ -31,6 +31,15 @@ export const icons = {
   up: 'M6 15l6-6 6 6',
   down: 'M6 9l6 6 6-6',
   layers: 'M12 4 3 9l9 5 9-5zM3 14l9 5 9-5',
+  cube: 'M12 3.5l7.5 4.2v8.6L12 20.5l-7.5-4.2V7.7zM4.5 7.7 12 12l7.5-4.3M12 12v8.5',
+  cubeFront: 'M4 9h11v11H4zM4 9l5-5h11l-5 5M20 4v11l-5 5M6.5 11.5h6v6h-6z',
+  cubeRight: 'M4 9h11v11H4zM4 9l5-5h11l-5 5M20 4v11l-5 5M17.5 9.5v6',
+  cubeTop: 'M4 9h11v11H4zM4 9l5-5h11l-5 5M20 4v11l-5 5M10 6.5h5',
+  faces: 'M4 7l9-3.5v13L4 20zM13 8l7-2.5v11L13 19',
+  cells: 'M12 3.5 20.5 18 3.5 18zM12 3.5 10 20.5M3.5 18l6.5 2.5L20.5 18',
+  clip: 'M7 4.5v15L17 15V4.5zM3.5 12H7M17 10h3.5',
+  explode: 'M10.5 10.5 5 5M5 9V5h4M13.5 10.5 19 5M15 5h4v4M10.5 13.5 5 19M5 15v4h4M13.5 13.5 19 19M19 15v4h-4',
+  flip: 'M12 4v16M9 8l-5 4 5 4zM15 8l5 4-5 4z',
   trash: 'M5 7h14M10 7V4.5h4V7M7 7l1 12.5h8L17 7',
 } as const;
 

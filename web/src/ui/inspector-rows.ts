@@ -53,10 +53,10 @@ export function causeText(cause: Cause, splitSegment: number): string {
 }
 
 export function triangleRows(trace: Trace, n: number): Row[] {
-  if (n >= trace.triangleCount) return [];
+  if (n >= trace.cellCount) return [];
   const m = measureTriangle(trace, n);
   return [
-    ['vertices', Array.from(trace.triangles.data.subarray(3 * n, 3 * n + 3)).join(', ')],
+    ['vertices', Array.from(trace.cells.data.subarray(3 * n, 3 * n + 3)).join(', ')],
     ['angles', `${formatDegrees(m.minAngle)} … ${formatDegrees(m.maxAngle)}`],
     ['circumradius', formatNumber(m.circumradius)],
     ['shortest edge', formatNumber(m.shortestEdge)],

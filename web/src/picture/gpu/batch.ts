@@ -5,7 +5,9 @@
 
 import {
   BufferAttribute,
+  DoubleSide,
   DynamicDrawUsage,
+  FrontSide,
   GLSL3,
   InstancedBufferGeometry,
   InstancedInterleavedBuffer,
@@ -14,7 +16,7 @@ import {
   Mesh,
   RawShaderMaterial,
 } from 'three';
-import { premultiplied, type ViewUniforms } from './uniforms';
+import { premultiplied } from './uniforms';
 
 export interface BatchShader {
   /** Floats a row, by attribute. */
@@ -25,6 +27,9 @@ export interface BatchShader {
   readonly fragment: string;
   readonly uniforms?: Record<string, IUniform>;
 }
+
+/** In space: what is behind is hidden, and (write) hides what is behind it. The plane needs neither. */
+export type Depth = 'none' | 'test' | 'write';
 
 /** Ranges closer than this many rows are uploaded as one. */
 const joinGap = 32;
@@ -42,7 +47,8 @@ export class Batch {
   private dirty: number[] = [];
   private allDirty = false;
 
-  constructor(shader: BatchShader, view: ViewUniforms, order: number) {
+  /** `view`: uniforms that all shaders of a picture share. */
+  constructor(shader: BatchShader, view: object, order: number, depth: Depth = 'none') {
     this.layout = shader.layout;
     this.stride = shader.layout.reduce((sum, [, size]) => sum + size, 0);
     const geometry = new InstancedBufferGeometry();
@@ -58,10 +64,11 @@ export class Batch {
       glslVersion: GLSL3,
       vertexShader: shader.vertex,
       fragmentShader: shader.fragment,
-      uniforms: { ...view, ...shader.uniforms },
+      uniforms: { ...(view as Record<string, IUniform>), ...shader.uniforms },
+      side: depth === 'none' ? FrontSide : DoubleSide,
       transparent: true,
-      depthTest: false,
-      depthWrite: false,
+      depthTest: depth !== 'none',
+      depthWrite: depth === 'write',
       ...premultiplied,
     });
     this.mesh = new Mesh(geometry, material);

@@ -21,7 +21,7 @@ import { type Glyphs, textWidth } from './glyphs';
 import { diskShader, glyphShader, lineShader, markShader, polygonShader } from './shapes';
 import type { ViewUniforms } from './uniforms';
 
-const shapeNumber: Record<Shape, number> = {
+export const shapeNumber: Record<Shape, number> = {
   disc: 0,
   square: 1,
   diamond: 2,
@@ -210,14 +210,14 @@ export function putPoint(array: Float32Array, at: number, p: Point, window: Wind
   array[at + 1] = (p[1] - window.originY) * window.unit;
 }
 
-function putStyle(array: Float32Array, at: number, width: number, dash: Dash | undefined): void {
+export function putStyle(array: Float32Array, at: number, width: number, dash: Dash | undefined): void {
   const pattern = dash && dash !== 'solid' ? dashes[dash] : ([0, 0] as const);
   array[at] = width;
   array[at + 1] = pattern[0];
   array[at + 2] = pattern[1];
 }
 
-function finish(batch: Batch, rows: number): void {
+export function finish(batch: Batch, rows: number): void {
   if (rows > 0) batch.touchAll();
   batch.flush(rows);
 }

@@ -39,13 +39,13 @@ export function makeMotion(state: MeshState, change: MeshChange, speed: number):
   if (change.died.length + change.born.length > largest) return null;
   const place = (v: number): Point => [state.coordinates[2 * v]!, state.coordinates[2 * v + 1]!];
   const corners = (t: number) => {
-    const [a, b, c] = [0, 1, 2].map((k) => place(state.triangles[3 * t + k]!));
+    const [a, b, c] = [0, 1, 2].map((k) => place(state.cells[3 * t + k]!));
     return [a!, b!, c!] as const;
   };
   const spokes = new Set<number>();
   for (const t of change.born) {
     for (let k = 0; k < 3; ++k) {
-      const v = state.triangles[3 * t + k]!;
+      const v = state.cells[3 * t + k]!;
       if (v !== change.vertex) spokes.add(v);
     }
   }

@@ -1,0 +1,104 @@
+/** What a moment shows in space: the simplex in hand, its ball, its witness, a refused point, where it yields, what was born. */
+
+import { centroid, plus, minus } from '../replay/geometry3';
+import type { MeshState, Moment3, PictureTheme, Point3 } from '../shared/types';
+import { noSpaceItems, type SpaceItems } from './items';
+import { place } from './mesh-layer';
+
+/** Beneath the vertices, hidden by what is before it. */
+export function momentUnder3(moment: Moment3, state: MeshState, theme: PictureTheme): SpaceItems {
+  const items = noSpaceItems();
+  const corners = cornersOf(moment.simplex, state);
+  if (corners.length >= 3) {
+    const gone = moment.kind === 'inserted';
+    for (const triangle of trianglesOf(corners)) {
+      if (!gone)
+        items.triangles.push({
+          corners: triangle,
+          fill: theme.acting,
+          opacity: corners.length === 3 ? 0.5 : 0.25,
+        });
+    }
+    for (const [a, b] of edgesOf(corners)) {
+      const dash = gone ? 'dashed' : 'solid';
+      items.lines.push({ a, b, color: theme.acting, width: gone ? 1.6 : 2.4, dash });
+    }
+  } else if (corners.length === 2) {
+    const [a, b] = corners as [Point3, Point3];
+    items.lines.push({ a, b, color: theme.acting, width: 10, opacity: 0.6 });
+  }
+  if (moment.yieldTo) {
+    const [a, b] = cornersOf(moment.yieldTo, state);
+    if (a && b) items.lines.push({ a, b, color: theme.yielding, width: 10, opacity: 0.5 });
+  }
+  if (moment.ball)
+    items.spheres.push({ ...moment.ball, color: theme.ball, opacity: 0.1, width: 1.5 });
+  const { facets } = state;
+  for (const n of facets ? moment.facets : []) {
+    const born = cornersOf(facets!.triangles.subarray(4 * n, 4 * n + 3), state);
+    if (born.length < 3) continue;
+    items.triangles.push({
+      corners: born as unknown as [Point3, Point3, Point3],
+      fill: theme.born,
+      opacity: theme.dark ? 0.3 : 0.24,
+    });
+    for (const [a, b] of edgesOf(born)) items.lines.push({ a, b, color: theme.born, width: 1.6 });
+  }
+  return items;
+}
+
+/** Above everything. */
+export function momentOver3(moment: Moment3, state: MeshState, theme: PictureTheme): SpaceItems {
+  const items = noSpaceItems();
+  const corners = cornersOf(moment.simplex, state);
+  const [witness] = moment.witness === null ? [] : cornersOf([moment.witness], state);
+  if (witness) {
+    const isCorner = corners.some((c) => c.every((x, k) => x === witness[k]));
+    if (corners.length > 0 && !isCorner) {
+      const foot = centroid(corners);
+      items.lines.push({ a: witness, b: foot, color: theme.witness, width: 2.4, dash: 'dotted' });
+    }
+    items.marks.push({ at: witness, shape: 'disc', size: 19, stroke: theme.witness, width: 2.6 });
+  }
+  if (corners.length === 1 && moment.kind !== 'inserted')
+    items.marks.push({ at: corners[0]!, shape: 'disc', size: 16, stroke: theme.acting, width: 3 });
+  const { ghost } = moment;
+  if (ghost && moment.yieldTo) {
+    const [a, b] = cornersOf(moment.yieldTo, state);
+    if (a && b) {
+      const at = plus(a, minus(b, a), 0.5);
+      items.lines.push({ a: ghost, b: at, color: theme.yielding, width: 2.4 });
+      items.marks.push({ at, from: ghost, shape: 'arrow', size: 14, fill: theme.yielding });
+    }
+  }
+  if (ghost) {
+    const ring = { fill: theme.background, stroke: theme.ghost, width: 2 };
+    items.marks.push({ at: ghost, shape: 'disc', size: 15, ...ring });
+    items.marks.push({ at: ghost, shape: 'cross', size: 6, stroke: theme.ghost, width: 2 });
+  }
+  const [landed] = moment.vertex === null ? [] : cornersOf([moment.vertex], state);
+  if (landed)
+    items.marks.push({ at: landed, shape: 'disc', size: 17, stroke: theme.born, width: 2.4 });
+  return items;
+}
+
+function cornersOf(vertices: ArrayLike<number>, state: MeshState): Point3[] {
+  return Array.from(vertices)
+    .filter((v) => v < state.vertexCount)
+    .map((v) => place(state, v));
+}
+
+export function edgesOf(corners: readonly Point3[]): [Point3, Point3][] {
+  return corners.flatMap((a, i) => corners.slice(i + 1).map((b): [Point3, Point3] => [a, b]));
+}
+
+export function trianglesOf(corners: readonly Point3[]): (readonly [Point3, Point3, Point3])[] {
+  const [a, b, c, d] = corners as readonly [Point3, Point3, Point3, Point3 | undefined];
+  if (!d) return [[a, b, c]];
+  return [
+    [a, b, c],
+    [a, b, d],
+    [a, c, d],
+    [b, c, d],
+  ];
+}
