@@ -127,6 +127,19 @@ std::string check_text(const std::string& text) {
   }
 }
 
+val face_triangles(const std::string& text) {
+  return guarded(copied(std::vector<std::uint32_t>()), [&] {
+    const ReadResult input = read(text, "input.json");
+    std::vector<std::uint32_t> triangles;
+    if (!input.ok() || !check_numbers(input.complex, 1).empty()) return copied(triangles);
+    for (std::uint32_t face = 0; face < input.complex.faces.size(); ++face) {
+      for (const auto& [a, b, c] : triangulate_face(input.complex, face))
+        triangles.insert(triangles.end(), {a, b, c, face});
+    }
+    return copied(triangles);
+  });
+}
+
 val started(int id, const std::string& error, const std::vector<Defect>& defects) {
   const Session* session = find(id);
   val result = val::object();
@@ -353,6 +366,7 @@ EMSCRIPTEN_BINDINGS(circumball) {
   emscripten::function("traceNames", &trace_names_json);
   emscripten::function("read", &read_files);
   emscripten::function("check", &check_text);
+  emscripten::function("faceTriangles", &face_triangles);
   emscripten::function("featureSizes", &feature_sizes);
   emscripten::function("start", &start);
   emscripten::function("advance", &advance);

@@ -61,7 +61,7 @@ export default async function createCircumball(options = {}) {
       };
     },
     check: (complex) => JSON.parse(core.check(complex)),
-    faceTriangles: (complex) => core.faceTriangles?.(complex) ?? new Uint32Array(0),
+    faceTriangles: (complex) => core.faceTriangles(complex),
     featureSizes: (complex, points) => core.featureSizes(complex, points),
     start(complex, runOptions) {
       const answer = core.start(complex, runOptions);

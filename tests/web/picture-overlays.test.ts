@@ -101,9 +101,7 @@ describe('picking', () => {
     const next = random(17);
     for (let round = 0; round < 30; round++) {
       // Some triangles are gone, in another order each time.
-      const live = Array.from({ length: whole.cellCount }, (_, i) => i).filter(
-        () => next() < 0.7,
-      );
+      const live = Array.from({ length: whole.cellCount }, (_, i) => i).filter(() => next() < 0.7);
       const state: MeshState = {
         ...whole,
         position: round + 1,

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { Kind } from '../../web/src/replay/event.ts';
-import { AngleCache, histogram, cellsInBin } from '../../web/src/replay/measure.ts';
+import { AngleCache, cellsInBin, histogram } from '../../web/src/replay/measure.ts';
 import { momentAt } from '../../web/src/replay/moment.ts';
 import { Replay } from '../../web/src/replay/replay.ts';
 import { Trace } from '../../web/src/replay/trace.ts';

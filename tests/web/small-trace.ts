@@ -13,9 +13,9 @@ export interface Draft {
   segment?: number;
   subject?: number;
   other?: readonly [number, number];
-  at?: readonly [number, number];
+  at?: readonly number[];
   value?: number;
-  dead?: readonly (readonly number[])[]; // a, b, c, label
+  dead?: readonly (readonly number[])[]; // the vertices and the label, as in the simplex stream
   born?: readonly (readonly number[])[];
 }
 
@@ -38,6 +38,7 @@ export function encode(drafts: readonly Draft[]): { events: Uint8Array; simplice
     view.setUint32(at + 28, changes?.[1] ?? NONE, true);
     view.setFloat64(at + 32, d.at?.[0] ?? 0, true);
     view.setFloat64(at + 40, d.at?.[1] ?? 0, true);
+    view.setFloat64(at + 48, d.at?.[2] ?? 0, true);
     view.setFloat64(at + 56, d.value ?? 0, true);
     for (const t of [...(d.dead ?? []), ...(d.born ?? [])]) stream.push(...t);
   }

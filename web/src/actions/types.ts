@@ -4,7 +4,16 @@ export interface Action {
   readonly title: string;
   /** What it would do now, where that says more than the title ("Undo: move 3 vertices"). */
   readonly now?: () => string;
-  readonly group: 'Play' | 'Jump' | 'Edit' | 'Tools' | 'View' | 'Space' | 'Overlays' | 'File' | 'Help';
+  readonly group:
+    | 'Play'
+    | 'Jump'
+    | 'Edit'
+    | 'Tools'
+    | 'View'
+    | 'Space'
+    | 'Overlays'
+    | 'File'
+    | 'Help';
   /** Shortcuts, the first one is shown: "Space", "ArrowLeft", "Mod+Z", "Shift+2", "?". */
   readonly keys: readonly string[];
   readonly enabled?: () => boolean;

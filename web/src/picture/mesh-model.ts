@@ -147,19 +147,14 @@ export class MeshModel {
     const vertices = this.syncVertices(state);
     this.reserveSlots(state);
     const triangleSlots: number[] = [];
-    this.triangleSlots.sync(
-      state.liveCells,
-      state.liveCellCount,
-      state.cellCount,
-      (slot) => {
-        const number = this.triangleSlots.numbers[slot]!;
-        for (let k = 0; k < 3; ++k) this.triangles[3 * slot + k] = state.cells[3 * number + k]!;
-        this.labels[slot] = state.cellLabel[number]!;
-        this.born[slot] = state.cellBorn[number]!;
-        triangleSlots.push(slot);
-        this.index.touchTriangle(slot);
-      },
-    );
+    this.triangleSlots.sync(state.liveCells, state.liveCellCount, state.cellCount, (slot) => {
+      const number = this.triangleSlots.numbers[slot]!;
+      for (let k = 0; k < 3; ++k) this.triangles[3 * slot + k] = state.cells[3 * number + k]!;
+      this.labels[slot] = state.cellLabel[number]!;
+      this.born[slot] = state.cellBorn[number]!;
+      triangleSlots.push(slot);
+      this.index.touchTriangle(slot);
+    });
     const before = this.subsegmentSlots.count;
     let changed = restarted;
     this.subsegmentSlots.sync(
@@ -196,8 +191,7 @@ export class MeshModel {
     const { numbers, count } = this.triangleSlots;
     for (let slot = 0; slot < count; ++slot) {
       const number = numbers[slot]!;
-      if (number >= state.cellCount || this.born[slot] !== state.cellBorn[number])
-        return true;
+      if (number >= state.cellCount || this.born[slot] !== state.cellBorn[number]) return true;
       for (let k = 0; k < 3; ++k) {
         if (this.triangles[3 * slot + k] !== state.cells[3 * number + k]) return true;
       }

@@ -1,6 +1,12 @@
 /** The picture as a PNG of any width: rendered off screen tile by tile, so that no limit of the GPU is met. */
 
-import { type Camera, type Scene, type Vector4, type WebGLRenderer, WebGLRenderTarget } from 'three';
+import {
+  type Camera,
+  type Scene,
+  type Vector4,
+  type WebGLRenderer,
+  WebGLRenderTarget,
+} from 'three';
 import type { Rgba } from './color';
 import type { Size } from './view';
 

@@ -91,12 +91,7 @@ export class Scene {
   rememberChange(state: MeshState, change: MeshChange): void {
     const triangles = Array.from(
       change.born,
-      (t) =>
-        [
-          state.cells[3 * t]!,
-          state.cells[3 * t + 1]!,
-          state.cells[3 * t + 2]!,
-        ] as const,
+      (t) => [state.cells[3 * t]!, state.cells[3 * t + 1]!, state.cells[3 * t + 2]!] as const,
     );
     this.changeShape = { change, star: starShape(triangles, (v) => this.place(v)) };
   }

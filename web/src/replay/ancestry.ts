@@ -2,9 +2,9 @@ import type { AncestryLink } from '../shared/overlay-facts.ts';
 import { Kind, NONE, Reason, type TraceEvent } from './event.ts';
 import { distance, point } from './geometry.ts';
 import { GrowU32 } from './grow.ts';
+import { canonical } from './lives.ts';
 import type { Protection } from './protection.ts';
 import { SimplexTable } from './simplex-table.ts';
-import { canonical } from './lives.ts';
 import type { Trace } from './trace.ts';
 
 /**

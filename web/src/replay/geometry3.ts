@@ -59,9 +59,9 @@ export function circumball(corners: readonly Point3[]): Ball3 | null {
   if (!d) {
     const size = 2 * dot(normal, normal);
     if (!(size > 0)) return null;
-    // (|u|^2 v - |v|^2 u) x (u x v) / (2 |u x v|^2), turned so that it points to the center.
-    const across = cross(cross(u, v), minus(scaled(u, v2), scaled(v, u2)));
-    offset = scaled(across, -1 / size);
+    // Shewchuk, Lecture Notes on Geometric Robustness: (u x v) x (|v|^2 u - |u|^2 v) / (2 |u x v|^2).
+    const across = cross(normal, minus(scaled(u, v2), scaled(v, u2)));
+    offset = scaled(across, 1 / size);
   } else {
     const w = minus(d, a);
     const volume = 2 * dot(normal, w);

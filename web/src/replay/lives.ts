@@ -140,4 +140,3 @@ export class LiveSet {
     this.list = list;
   }
 }
-

@@ -26,7 +26,11 @@ const kinds: readonly MomentKind[] = [
 ];
 
 /** What the event that led to a position shows: who acts, by which rule, why. Null at position 0. */
-export function momentAt(replay: Replay, position: number, forward = true): Moment | Moment3 | null {
+export function momentAt(
+  replay: Replay,
+  position: number,
+  forward = true,
+): Moment | Moment3 | null {
   if (position <= 0 || position > replay.trace.eventCount) return null;
   const { trace } = replay;
   const e = trace.event(position - 1);

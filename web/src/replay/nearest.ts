@@ -40,10 +40,7 @@ export function nearestNeighbor(state: MeshState, v: number): number {
     if (w !== v) nearest = Math.min(nearest, distance(point(xy, v), point(xy, w)));
   };
   for (let i = 0; i < state.liveCellCount; i++) {
-    const corners = state.cells.subarray(
-      3 * state.liveCells[i]!,
-      3 * state.liveCells[i]! + 3,
-    );
+    const corners = state.cells.subarray(3 * state.liveCells[i]!, 3 * state.liveCells[i]! + 3);
     if (corners.includes(v)) corners.forEach(look);
   }
   if (state.liveCellCount === 0) {

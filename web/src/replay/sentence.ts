@@ -55,7 +55,8 @@ export interface DomainCounts {
 function faceChanged(e: TraceEvent): string {
   const [dead, born] = e.other;
   const triangles = (n: number) => plural(n, 'triangle', 'triangles');
-  if (dead === 0) return `Face ${e.subject} has its own Delaunay triangulation: ${triangles(born)}.`;
+  if (dead === 0)
+    return `Face ${e.subject} has its own Delaunay triangulation: ${triangles(born)}.`;
   return `In the triangulation of face ${e.subject}, ${triangles(dead)} became ${triangles(born)}.`;
 }
 

@@ -1,6 +1,12 @@
 /** The input in space as a display list: features in ink, seeds, and defects at their places. */
 
-import { type Complex3, type DefectMark, type PictureTheme, type Point3, VertexKind } from '../shared/types';
+import {
+  type Complex3,
+  type DefectMark,
+  type PictureTheme,
+  type Point3,
+  VertexKind,
+} from '../shared/types';
 import { noSpaceItems, type SpaceItems } from './items';
 import { vertexMark3 } from './marks';
 import { segmentWidth } from './mesh-layer';
@@ -33,7 +39,15 @@ export function complexItems3(complex: Complex3, theme: PictureTheme, meshed: bo
     if (!isPlace(at)) continue;
     const { background, ink } = theme;
     items.marks.push({ at, shape: 'diamond', size: 15, fill: background, stroke: ink, width: 1.5 });
-    items.texts.push({ at, text: String(label), size: 11.5, color: ink, halo: background, dx: 16, dy: -4 });
+    items.texts.push({
+      at,
+      text: String(label),
+      size: 11.5,
+      color: ink,
+      halo: background,
+      dx: 16,
+      dy: -4,
+    });
   }
   return items;
 }
@@ -73,8 +87,7 @@ export function defectItems3(
   for (const defect of defects) {
     const color = defect.warning ? theme.warning : theme.defect;
     const dash = (a: Point3 | undefined, b: Point3 | undefined) => {
-      if (isPlace(a) && isPlace(b))
-        items.lines.push({ a, b, color, width: 2.4, dash: 'dashed' });
+      if (isPlace(a) && isPlace(b)) items.lines.push({ a, b, color, width: 2.4, dash: 'dashed' });
     };
     for (const { kind, index } of defect.features) {
       if (kind === 'segment') {
@@ -93,7 +106,11 @@ export function defectItems3(
     }
     const shape = defect.warning ? 'triangle' : 'disc';
     for (const place of defect.at) {
-      const where = [place[0] ?? Number.NaN, place[1] ?? Number.NaN, place[2] ?? Number.NaN] as const;
+      const where = [
+        place[0] ?? Number.NaN,
+        place[1] ?? Number.NaN,
+        place[2] ?? Number.NaN,
+      ] as const;
       if (!isPlace(where)) continue;
       items.marks.push({ at: where, shape, size: 22, fill: color, opacity: 0.16 });
       items.marks.push({ at: where, shape, size: 22, stroke: color, width: 2.2 });
@@ -101,4 +118,3 @@ export function defectItems3(
   }
   return items;
 }
-

@@ -129,8 +129,7 @@ export class SpaceMeshLayer {
         array[at + k + 1] = (cut.corners[9 * row + k + 1]! - oy) * window.unit;
         array[at + k + 2] = (cut.corners[9 * row + k + 2]! - oz) * window.unit;
       }
-      const color =
-        coloring.mode === 'plain' ? plain : coloring.cellColor(state, cut.cells[row]!);
+      const color = coloring.mode === 'plain' ? plain : coloring.cellColor(state, cut.cells[row]!);
       array[at + 9] = color[0];
       array[at + 10] = color[1];
       array[at + 11] = color[2];

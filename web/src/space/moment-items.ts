@@ -1,6 +1,6 @@
 /** What a moment shows in space: the simplex in hand, its ball, its witness, a refused point, where it yields, what was born. */
 
-import { centroid, plus, minus } from '../replay/geometry3';
+import { centroid, minus, plus } from '../replay/geometry3';
 import type { MeshState, Moment3, PictureTheme, Point3 } from '../shared/types';
 import { noSpaceItems, type SpaceItems } from './items';
 import { place } from './mesh-layer';

@@ -1,11 +1,11 @@
 /** What lies under a place of the canvas, in double precision, one by one: a press is rare. */
 
-import { Label, type Complex3, type MeshState, type Point3 } from '../shared/types';
+import { type Complex3, Label, type MeshState, type Point3 } from '../shared/types';
 import type { Cut } from './cut';
 import { place } from './mesh-layer';
+import type { SpaceView } from './types';
 import { noHit, type SpaceHit, type SpaceLook } from './types';
 import { type Basis, type Plane, project, type Size } from './view';
-import type { SpaceView } from './types';
 
 /** Distances in pixels within which a vertex or segment is meant. */
 const reach = { vertex: 10, segment: 6 };
@@ -35,7 +35,8 @@ export function pickSpace(scene: PickScene, x: number, y: number): SpaceHit | nu
   if (vertex !== null) return { ...noHit, vertex };
   const subsegment = pickSegment(scene, x, y, front);
   if (subsegment !== null) return { ...noHit, subsegment };
-  if (surface && (look.faces !== 'hidden' || surface.hit.cell !== null || state)) return surface.hit;
+  if (surface && (look.faces !== 'hidden' || surface.hit.cell !== null || state))
+    return surface.hit;
   return null;
 }
 
@@ -81,7 +82,11 @@ function pickSegment(scene: PickScene, x: number, y: number, front: number): num
     const distance = Math.hypot(p[0] + t * dx - x, p[1] + t * dy - y);
     const depth = p[2] + t * (q[2] - p[2]);
     if (!(distance <= reach.segment) || depth < front || depth < bestDepth) return;
-    const at: Point3 = [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])];
+    const at: Point3 = [
+      a[0] + t * (b[0] - a[0]),
+      a[1] + t * (b[1] - a[1]),
+      a[2] + t * (b[2] - a[2]),
+    ];
     if (!visible(scene, at)) return;
     best = n;
     bestDepth = depth;

@@ -409,7 +409,8 @@ export class CanvasSpacePicture implements SpacePicture {
     this.uniforms.uPixel.value = this.pixelRatio;
     if (stale.mesh || stale.rows || stale.look) {
       const ofCells = spaceLook.cells;
-      if (coloring.set(spaceLook.color, theme.dark, state, ofCells)) stale.rows = stale.cells = true;
+      if (coloring.set(spaceLook.color, theme.dark, state, ofCells))
+        stale.rows = stale.cells = true;
       this.tellScale();
     }
     const look: MeshLook = { theme, look: spaceLook, coloring, plane, window };
@@ -539,7 +540,9 @@ export class CanvasSpacePicture implements SpacePicture {
   /** Vertices get smaller where they would crowd. */
   private markSize(): number {
     const bounds = this.contents();
-    const count = this.state ? this.state.liveSubsegmentCount : (this.complex?.vertices.length ?? 0);
+    const count = this.state
+      ? this.state.liveSubsegmentCount
+      : (this.complex?.vertices.length ?? 0);
     if (!bounds || count === 0) return 1;
     const across = extentOf(bounds) * this.view.scale;
     const spacing = across / Math.sqrt(count);
@@ -560,9 +563,7 @@ export class CanvasSpacePicture implements SpacePicture {
   private depth(bounds: Bounds3 | null): number {
     if (!bounds) return 1;
     const { toEye } = basisOf(this.view);
-    const depths = cornersOf(bounds).map((p) =>
-      Math.abs(dot(toEye, minus(p, this.view.target))),
-    );
+    const depths = cornersOf(bounds).map((p) => Math.abs(dot(toEye, minus(p, this.view.target))));
     return 1.02 * Math.max(...depths) + 30 / this.view.scale;
   }
 
@@ -572,7 +573,6 @@ export class CanvasSpacePicture implements SpacePicture {
     this.lastScale = scale;
     for (const listener of this.scaleListeners) listener(scale);
   }
-
 }
 
 function append(to: SpaceItems, from: SpaceItems): void {

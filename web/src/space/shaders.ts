@@ -4,8 +4,8 @@ import { type IUniform, Matrix3, type Texture, Vector2, Vector3, Vector4 } from 
 import type { BatchShader } from '../picture/gpu/batch';
 import { glyphShader, lineShader, markShader } from '../picture/gpu/shapes';
 import { dot, minus } from '../replay/geometry3';
-import { type Basis, basisOf, type Plane, type Size, type Window3 } from './view';
 import type { SpaceView } from './types';
+import { type Basis, basisOf, type Plane, type Size, type Window3 } from './view';
 
 /** From window units to CSS pixels about the center of the canvas, with the depth as third coordinate; and to clip space. */
 export interface SpaceUniforms extends Record<string, IUniform> {

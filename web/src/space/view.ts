@@ -1,7 +1,7 @@
 /** The view in space: a parallel projection about a target, in double precision. */
 
-import type { Insets, Point, Point3 } from '../shared/types';
 import { cross, dot, minus, plus, scaled } from '../replay/geometry3';
+import type { Insets, Point, Point3 } from '../shared/types';
 import type { SpaceView, StandardView } from './types';
 
 export interface Size {
@@ -201,7 +201,11 @@ function spanFrom(view: SpaceView, { min, max }: Bounds3): number {
 }
 
 /** The part of segment ab in a cube about the window's origin; null if there is none. */
-export function clipToWindow(a: Point3, b: Point3, window: Window3): readonly [Point3, Point3] | null {
+export function clipToWindow(
+  a: Point3,
+  b: Point3,
+  window: Window3,
+): readonly [Point3, Point3] | null {
   const { origin, reach } = window;
   if (!Number.isFinite(reach)) return [a, b];
   const d = minus(b, a);

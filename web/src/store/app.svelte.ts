@@ -6,13 +6,7 @@ import type { ComparisonOptions, Shared } from '../link/link.ts';
 import { point } from '../replay/geometry.ts';
 import { centroid, point3 } from '../replay/geometry3.ts';
 import { refinedComplex } from '../replay/refined-complex.ts';
-import {
-  emptyComplex,
-  type Input,
-  type Point,
-  type Point3,
-  type View,
-} from '../shared/types.ts';
+import { emptyComplex, type Input, type Point, type Point3, type View } from '../shared/types.ts';
 import type { SpaceHit, SpaceView } from '../space/types.ts';
 import { texts } from '../texts.ts';
 import { asSentence, formatNumber } from '../words.ts';
@@ -22,8 +16,8 @@ import { FeatureStore } from './features.svelte.ts';
 import { type FamilyChoice, NumericsStore } from './numerics.svelte.ts';
 import { Pane } from './pane.svelte.ts';
 import { Settings } from './settings.svelte.ts';
-import { TriangleStore } from './triangle.svelte.ts';
 import { SpaceSettings } from './space.svelte.ts';
+import { TriangleStore } from './triangle.svelte.ts';
 import { RepetitionZoom } from './zoom.svelte.ts';
 
 export type DialogId = 'gallery' | 'export' | 'share' | 'help' | 'triangle';
@@ -122,16 +116,16 @@ export class App {
   );
 
   /** Are errors of a function measured and shown? */
-  readonly measures = $derived(
-    !this.inSpace && this.mode === 'watch' && this.tab === 'numerics',
-  );
+  readonly measures = $derived(!this.inSpace && this.mode === 'watch' && this.tab === 'numerics');
   /** The mesh in the picture that is not the run's. */
   readonly still = $derived(this.measures ? this.numerics.still : null);
 
   private readonly boxed = $derived.by(() => {
     const { trace, traceVersion } = this.first.run;
     void traceVersion;
-    return !this.inSpace && this.fresh && refinedComplex(this.doc.complex, trace) !== this.doc.complex;
+    return (
+      !this.inSpace && this.fresh && refinedComplex(this.doc.complex, trace) !== this.doc.complex
+    );
   });
   /** What feature sizes are about: the input, and the box about it if the run made one. */
   readonly featureComplex = $derived.by(() => {

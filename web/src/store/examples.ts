@@ -13,11 +13,14 @@ export interface Example {
   readonly numerics: NumericsOptions | null; // what is measured on the mesh
 }
 
-const urls = import.meta.glob('../../../examples/*.{json,poly,smesh,node,ele,svg,obj,off,ply,stl}', {
-  query: '?url',
-  import: 'default',
-  eager: true,
-}) as Record<string, string>;
+const urls = import.meta.glob(
+  '../../../examples/*.{json,poly,smesh,node,ele,svg,obj,off,ply,stl}',
+  {
+    query: '?url',
+    import: 'default',
+    eager: true,
+  },
+) as Record<string, string>;
 
 const lists = import.meta.glob('../../../examples/index.json', {
   import: 'default',
@@ -61,15 +64,14 @@ interface Entry {
 }
 
 function parse(index: unknown): Example[] {
-  return ((index ?? []) as Entry[])
-    .map((e) => ({
-      id: e.id,
-      title: e.title,
-      dimension: e.dimension ?? 2,
-      text: e.sentence,
-      files: [e.file],
-      options: { ...(e.algorithm ? { algorithm: e.algorithm } : {}), ...e.options },
-      compare: e.compare ?? null,
-      numerics: e.numerics ? { ...measured, ...e.numerics } : null,
-    }));
+  return ((index ?? []) as Entry[]).map((e) => ({
+    id: e.id,
+    title: e.title,
+    dimension: e.dimension ?? 2,
+    text: e.sentence,
+    files: [e.file],
+    options: { ...(e.algorithm ? { algorithm: e.algorithm } : {}), ...e.options },
+    compare: e.compare ?? null,
+    numerics: e.numerics ? { ...measured, ...e.numerics } : null,
+  }));
 }

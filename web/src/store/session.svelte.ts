@@ -140,7 +140,13 @@ function write(app: App): void {
 export function keepSaved(app: App): void {
   let timer: ReturnType<typeof setTimeout> | undefined;
   $effect(() => {
-    void [app.doc.input, app.doc.title, app.look.shared(), app.settings.color, app.settings.overlays];
+    void [
+      app.doc.input,
+      app.doc.title,
+      app.look.shared(),
+      app.settings.color,
+      app.settings.overlays,
+    ];
     void [app.comparison.pace, app.clock.playing, app.tab, app.dialog];
     void [app.numerics.options(), app.triangle.corners, app.triangle.expression];
     for (const { parameters, run } of app.panes) {

@@ -23,9 +23,7 @@ export function spaceTitle(hit: SpaceHit, trace: Trace | null): string {
 export function spaceRows(hit: SpaceHit, complex: Complex3, trace: Trace | null): Row[] {
   if (hit.vertex !== null) return vertexRows(hit.vertex, complex, trace);
   if (hit.subsegment !== null)
-    return trace
-      ? subsegmentRows(hit.subsegment, trace)
-      : segmentRows(hit.subsegment, complex);
+    return trace ? subsegmentRows(hit.subsegment, trace) : segmentRows(hit.subsegment, complex);
   if (hit.cell !== null && trace) return cellRows(hit.cell, trace);
   if (hit.facet !== null && trace) return facetRows(hit.facet, trace);
   return hit.face === null ? [] : faceRows(hit.face, complex);

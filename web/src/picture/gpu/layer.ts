@@ -210,7 +210,12 @@ export function putPoint(array: Float32Array, at: number, p: Point, window: Wind
   array[at + 1] = (p[1] - window.originY) * window.unit;
 }
 
-export function putStyle(array: Float32Array, at: number, width: number, dash: Dash | undefined): void {
+export function putStyle(
+  array: Float32Array,
+  at: number,
+  width: number,
+  dash: Dash | undefined,
+): void {
   const pattern = dash && dash !== 'solid' ? dashes[dash] : ([0, 0] as const);
   array[at] = width;
   array[at + 1] = pattern[0];
