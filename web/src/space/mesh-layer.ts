@@ -84,9 +84,11 @@ export class SpaceMeshLayer {
     const faint = look.cells ? 0.35 : 1;
     facetUniforms.uEdge.value.set(edge[0], edge[1], edge[2], look.facets ? faint : 0);
     facetUniforms.uOpacity.value = faceOpacity(look, theme);
-    facetUniforms.uLit.value = solid ? 1 : 0.4;
+    facetUniforms.uLit.value = solid ? (look.color === 'plain' ? 1 : 0.5) : 0.4;
     const ink = parseColor(theme.dark ? '#0a0c0e' : '#3c4a54');
     cellUniforms.uEdge.value.set(ink[0], ink[1], ink[2], theme.dark ? 0.9 : 0.55);
+    // Colors are to be compared with those of the scale: they are lit less.
+    cellUniforms.uLit.value = look.color === 'plain' ? 1 : 0.5;
     this.facets.mesh.material.depthWrite = solid;
     // Solid faces are drawn before what is translucent.
     this.facets.mesh.renderOrder = solid ? 1 : 12;

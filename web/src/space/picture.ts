@@ -232,9 +232,9 @@ export class CanvasSpacePicture implements SpacePicture {
     } else {
       this.flight = null;
       this.view = to;
+      for (const listener of this.viewListeners) listener(to);
     }
     this.invalidate();
-    for (const listener of this.viewListeners) listener(to);
   }
 
   onViewChange(listener: (view: SpaceView) => void): () => void {
@@ -381,8 +381,10 @@ export class CanvasSpacePicture implements SpacePicture {
     if (this.disposed) return;
     if (this.flight) {
       const t = Math.min(1, (performance.now() - this.flight.start) / FLIGHT_MS);
-      this.view = between(this.flight.from, this.flight.to, t * t * (3 - 2 * t));
+      this.view =
+        t === 1 ? this.flight.to : between(this.flight.from, this.flight.to, t * t * (3 - 2 * t));
       if (t === 1) this.flight = null;
+      for (const listener of this.viewListeners) listener(this.view);
     }
     this.prepare();
     const [r, g, b] = parseColor(this.theme.background);

@@ -396,6 +396,10 @@ export class App {
   /** What a run is best held against: an algorithm that protects small angles against one that does not. */
   private counterpart(): RunOptions {
     const own = this.first.parameters.options(this.algorithms);
+    if (this.inSpace) {
+      const other = this.algorithms.find((a) => a.id !== own.algorithm);
+      return { ...own, ...(other ? { algorithm: other.id } : {}) };
+    }
     if (own.algorithm === 'collar') return { ...own, algorithm: 'ruppert' };
     const smallest = this.first.run.report?.input.smallest_angle_degrees ?? 0;
     // Where no angle is acute and the run repeats itself all the same, collars help only at every vertex.

@@ -105,7 +105,7 @@ export async function openExample(
   const { reducedMotion } = app.settings;
   const unseen = document.visibilityState === 'hidden' || app.dialog !== null;
   app.numerics.leave();
-  await app.refine({ play: !reducedMotion && !unseen && !numerics });
+  if (app.algorithms.length > 0) await app.refine({ play: !reducedMotion && !unseen && !numerics });
   if (numerics && app.doc.title === example.title) {
     app.numerics.adopt(numerics); // after the run, as in a link
     measure(app, numerics.function);
