@@ -2,7 +2,7 @@ import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import createCircumball from 'circumball';
 import { expect, it } from 'vitest';
-import { complexFromJson, complexToText } from '../../web/src/core/complex-json.ts';
+import { complexToText, inputFromJson } from '../../web/src/core/complex-json.ts';
 import { examples } from '../../web/src/store/examples.ts';
 
 const folder = fileURLToPath(new URL('../../examples/', import.meta.url));
@@ -11,7 +11,7 @@ it('every example starts with its options, and so does what it is compared with'
   const core = await createCircumball();
   for (const { id, files, options, compare } of examples) {
     const bytes = new Uint8Array(readFileSync(folder + files[0]));
-    const complex = complexFromJson(core.read([{ name: files[0]!, bytes }]).complex);
+    const complex = inputFromJson(core.read([{ name: files[0]!, bytes }]).complex);
     for (const asked of [options, ...(compare ? [compare] : [])]) {
       const answer = core.start(complexToText(complex), JSON.stringify(asked));
       expect(answer.error, id).toBe('');
