@@ -109,7 +109,8 @@ std::vector<std::array<std::uint32_t, 3>> triangulate_face(const Complex& comple
 Complex with_box(const Complex& complex, double scale);
 
 /// The complex with a segment for every side of a loop of a face that has none; these come last, in
-/// the order of faces and loops. Readers and runs see to it. Indices must be in range. O(n log n).
+/// the order of faces and loops; sides with indices out of range are left to `check`. Readers see
+/// to it. O(n log n).
 Complex with_sides(const Complex& complex);
 
 }  // namespace circumball

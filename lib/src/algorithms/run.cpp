@@ -46,10 +46,9 @@ void settle_domain(Live2* live, Recorder* recorder) {
 }
 void settle_domain(Live3*, Recorder3*) {}  // the whole convex hull
 
-/// With the box where the domain is one, and in space with a segment for every side of a face.
+/// With the box where the domain is one.
 Complex prepared(const Complex& input, const Settings& settings) {
-  const Complex whole = input.dimension == 3 ? with_sides(input) : input;
-  return settings.domain == Domain::kBox ? with_box(whole, settings.box_scale) : whole;
+  return settings.domain == Domain::kBox ? with_box(input, settings.box_scale) : input;
 }
 
 }  // namespace

@@ -73,6 +73,7 @@ Complex with_sides(const Complex& complex) {
     for (const auto& loop : face.loops) {
       for (std::size_t i = 0; i < loop.size(); ++i) {
         const auto ends = ordered(loop[i], loop[(i + 1) % loop.size()]);
+        if (ends[1] >= complex.vertices.size() || ends[0] == ends[1]) continue;
         if (std::binary_search(known.begin(), known.end(), ends)) continue;
         missing.push_back({ends, missing.size()});
       }
