@@ -235,11 +235,12 @@ class Delaunay3 {
   Probe look(const Point3& p, std::uint32_t number, CellSlot start);
   template <bool kPlain>
   void dig(const Point3& p, std::uint32_t number, CellSlot seed);
+  void grow_lists(std::size_t size);
   template <bool kPlain>
   void fill(VertexId v);
   void take_slots(std::size_t count);
   void free_slots(std::size_t first);
-  void link_by_table(const std::uint32_t* keys);
+  bool link_by_table();
   void link_by_hash();
   void record_dead();
   bool insert_plainly(VertexId v);
@@ -294,8 +295,8 @@ class Delaunay3 {
   std::vector<RingEdge> flat_ring_;
   std::vector<Cell> died_;
   std::vector<CellSlot> born_;
-  std::vector<std::uint32_t> keys_, table_;
-  std::vector<VertexId> local_;
+  std::vector<CellFacet> frontier_, next_frontier_, tests_, found_, outer_;  // of one size
+  std::vector<std::uint32_t> table_, labels_;
   // Scratch of queries. Marks are zero between calls.
   mutable std::vector<std::uint8_t> mark_, vertex_mark_;
   mutable std::vector<CellSlot> star_, other_star_;

@@ -289,9 +289,9 @@ void Delaunay3::fill_flat(VertexId p) {
     return;
   }
   for (const CellSlot c : cavity_) died_.push_back(cell(c));
-  keys_.clear();
+  labels_.clear();
   for (const RingEdge& e : flat_ring_)
-    for (const CellSlot c : e.owner) keys_.push_back(c == kNone ? 0 : notes_[c].label);
+    for (const CellSlot c : e.owner) labels_.push_back(c == kNone ? 0 : notes_[c].label);
   line_.clear();
   off_plane_ = off_plane_after_;
   take_slots(2 * count);
@@ -306,7 +306,7 @@ void Delaunay3::fill_flat(VertexId p) {
     links_[b >> 2] = {{p, e.b, e.a, kGhost}, {t, t + 2, t + 1, t + 3}};
     const CellFacet born[2] = {t, b};
     for (int s = 0; s < 2; ++s) {
-      notes_[born[s] >> 2] = {keys_[2 * j + s], births_++};
+      notes_[born[s] >> 2] = {labels_[2 * j + s], births_++};
       if (e.outside[s] == kNone) continue;
       links_[born[s] >> 2].n[0] = e.outside[s];
       links_[e.outside[s] >> 2].n[e.outside[s] & 3] = born[s];

@@ -5,7 +5,6 @@
 // orient3d and insphere look at the differences as integers: if they have so few bits that
 // determinants of doubles are exact, or fit 64 bits. Only what is left goes to expansions.
 
-#include <algorithm>
 #include <cmath>
 
 #include "predicates/double_bits.h"
@@ -29,6 +28,12 @@ struct Differences {
       set(3 * i + 1, to[i]->y, from.y);
       set(3 * i + 2, to[i]->z, from.z);
     }
+    double any = 0;
+    for (int i = 0; i < 3 * Count; ++i) {
+      size = std::fabs(high[i]) > size ? std::fabs(high[i]) : size;
+      any += std::fabs(low[i]);
+    }
+    single = any == 0;
   }
 
   /// 2^bits over the smallest power of two that is above `size`: it scales all to below 2^bits.
@@ -46,7 +51,7 @@ struct Differences {
     bool fits = true;
     for (int i = 0; i < 3 * Count; ++i) {
       out[i] = high[i] * s;
-      fits = fits && (out[i] + kRound) - kRound == out[i];
+      fits &= (out[i] + kRound) - kRound == out[i];
     }
     return fits;
   }
@@ -58,7 +63,7 @@ struct Differences {
     for (int i = 0; i < 3 * Count; ++i) {
       const double h = high[i] * s, l = low[i] * s;
       const std::int64_t ih = static_cast<std::int64_t>(h), il = static_cast<std::int64_t>(l);
-      fits = fits && static_cast<double>(ih) == h && static_cast<double>(il) == l;
+      fits &= (static_cast<double>(ih) == h) & (static_cast<double>(il) == l);
       out[i] = fixed_integer(ih + il);
     }
     return fits;
@@ -69,10 +74,12 @@ struct Differences {
     const TwoDoubles d = two_difference(to, from);
     high[i] = d.high;
     low[i] = d.low;
-    size = std::max(size, std::fabs(d.high));
-    single = single && d.low == 0;
   }
 };
+
+/// Predicates call their stages as something cold, which compilers then optimize for size; but for
+/// cospherical points the stages are where the time goes.
+#define CIRCUMBALL_HOT __attribute__((hot, noinline))
 
 void count(Predicate p, bool by_integers) {
   StageCounters& c = counters_of(p);
@@ -135,12 +142,11 @@ double insphere_of_coordinates(const Point3* const (&p)[5]) {
   return sum[now].sign();
 }
 
-}  // namespace
-
 // Integers below 2^16 in magnitude: the six products of the determinant are below 2^48, and their
 // sum below 2^51. At most 2^62: minors of two rows 2^125, products with the third 2^187, and their
 // sum 2^189.
-double orient3d_exact(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
+CIRCUMBALL_HOT double orient3d_by_stages(const Point3& a, const Point3& b, const Point3& c,
+                                         const Point3& d) {
   const Differences<3> v({&a, &b, &c}, d);
   if (v.size == 0) return 0;
   double small[9];
@@ -156,8 +162,8 @@ double orient3d_exact(const Point3& a, const Point3& b, const Point3& c, const P
 
 // Integers below 2^9: 4 * 3 * 6 = 72 monomials below 2^45, so sums below 2^52. At most 2^62: minors
 // of three rows 2^189, squared lengths 2^126, their four products 2^315, and the sum 2^317.
-double insphere_exact(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
-                      const Point3& e) {
+CIRCUMBALL_HOT double insphere_by_stages(const Point3& a, const Point3& b, const Point3& c,
+                                         const Point3& d, const Point3& e) {
   const Differences<4> v({&a, &b, &c, &d}, e);
   if (v.size == 0) return 0;
   double small[12];
@@ -167,6 +173,17 @@ double insphere_exact(const Point3& a, const Point3& b, const Point3& c, const P
   if (is_small) return determinant4(small);
   if (by_integers) return determinant4(integers).sign();
   return insphere_of_coordinates({&a, &b, &c, &d, &e});
+}
+
+}  // namespace
+
+double orient3d_exact(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
+  return orient3d_by_stages(a, b, c, d);
+}
+
+double insphere_exact(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
+                      const Point3& e) {
+  return insphere_by_stages(a, b, c, d, e);
 }
 
 double segment_ball3_exact(const Point3& a, const Point3& b, const Point3& p) {

@@ -175,6 +175,41 @@ inline double insphere_filtered(const Point3& a, const Point3& b, const Point3& 
   return internal::insphere_exact(a, b, c, d, e);
 }
 
+/// The signs of insphere(a[0], b[0], c[0], d[0], e) and insphere(a[1], ...), side by side: nothing
+/// need be moved between lanes, so it costs little more than one. The same k and P. If `count` is
+/// 1, only the first is exact.
+inline internal::Pair insphere_pair_filtered(const Point3* const (&a)[2],
+                                             const Point3* const (&b)[2],
+                                             const Point3* const (&c)[2],
+                                             const Point3* const (&d)[2], const Point3& e,
+                                             int count) {
+  using internal::absolute, internal::both, internal::Pair;
+  const Pair ex = both(e.x), ey = both(e.y), ez = both(e.z);
+  const Pair ax = Pair{a[0]->x, a[1]->x} - ex, bx = Pair{b[0]->x, b[1]->x} - ex;
+  const Pair cx = Pair{c[0]->x, c[1]->x} - ex, dx = Pair{d[0]->x, d[1]->x} - ex;
+  const Pair ay = Pair{a[0]->y, a[1]->y} - ey, by = Pair{b[0]->y, b[1]->y} - ey;
+  const Pair cy = Pair{c[0]->y, c[1]->y} - ey, dy = Pair{d[0]->y, d[1]->y} - ey;
+  const Pair az = Pair{a[0]->z, a[1]->z} - ez, bz = Pair{b[0]->z, b[1]->z} - ez;
+  const Pair cz = Pair{c[0]->z, c[1]->z} - ez, dz = Pair{d[0]->z, d[1]->z} - ez;
+  const Pair ab = ax * by - bx * ay, bc = bx * cy - cx * by, cd = cx * dy - dx * cy;
+  const Pair da = dx * ay - ax * dy, ac = ax * cy - cx * ay, bd = bx * dy - dx * by;
+  const Pair abc = (az * bc - bz * ac) + cz * ab, bcd = (bz * cd - cz * bd) + dz * bc;
+  const Pair cda = (cz * da + dz * ac) + az * cd, dab = (dz * ab + az * bd) + bz * da;
+  const Pair a2 = (ax * ax + ay * ay) + az * az, b2 = (bx * bx + by * by) + bz * bz;
+  const Pair c2 = (cx * cx + cy * cy) + cz * cz, d2 = (dx * dx + dy * dy) + dz * dz;
+  Pair det = (d2 * abc - c2 * dab) + (b2 * cda - a2 * bcd);
+  const Pair sum = (a2 + b2) + (c2 + d2);
+  const Pair roots = {internal::sqrt_bound(sum[0]), internal::sqrt_bound(sum[1])};
+  const Pair bound = both(internal::kInsphereBound) * (sum * sum * roots), size = absolute(det);
+  for (int i = 0; i < count; ++i) {
+    if (CIRCUMBALL_LIKELY(size[i] >= bound[i]))
+      internal::count_filter(internal::Predicate::kInsphere);
+    else
+      det[i] = internal::insphere_exact(*a[i], *b[i], *c[i], *d[i], e);
+  }
+  return det;
+}
+
 /// Sign of in_diametral_ball(a, b, p) in the plane: (a - p) . (p - b). k = 3, P as in orient2d.
 inline double in_segment_ball_filtered(double ax, double ay, double bx, double by, double px,
                                        double py) {

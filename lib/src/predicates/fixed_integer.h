@@ -57,25 +57,33 @@ template <int N, int M>
 inline FixedInteger<N + M> operator*(const FixedInteger<N>& a, const FixedInteger<M>& b) {
   FixedInteger<N + M> r{};
   for (int i = 0; i < N; ++i) {
-    DoubleLimb carry = 0;
+    std::uint64_t carry = 0;
     for (int j = 0; j < M; ++j) {
-      carry += DoubleLimb{a.limb[i]} * b.limb[j] + r.limb[i + j];
-      r.limb[i + j] = static_cast<std::uint64_t>(carry);
-      carry >>= 64;
+      const DoubleLimb t = DoubleLimb{a.limb[i]} * b.limb[j] + r.limb[i + j] + carry;
+      r.limb[i + j] = static_cast<std::uint64_t>(t);
+      carry = static_cast<std::uint64_t>(t >> 64);
     }
-    r.limb[i + M] = static_cast<std::uint64_t>(carry);
+    r.limb[i + M] = carry;
   }
-  const auto correct = [&r](const auto& factor, int size, std::uint64_t mask) {
-    DoubleLimb carry = mask & 1;
+  const auto subtract_high = [&r](const auto& factor, int size, std::uint64_t mask) {
+    std::uint64_t borrow = 0;
     for (int i = 0; i < size; ++i) {
-      carry += DoubleLimb{r.limb[N + M - size + i]} + (~factor.limb[i] & mask);
-      r.limb[N + M - size + i] = static_cast<std::uint64_t>(carry);
-      carry >>= 64;
+      std::uint64_t& limb = r.limb[N + M - size + i];
+      const DoubleLimb t = DoubleLimb{limb} - (factor.limb[i] & mask) - borrow;
+      limb = static_cast<std::uint64_t>(t);
+      borrow = static_cast<std::uint64_t>(t >> 64) & 1;
     }
   };
-  correct(b, M, a.negative() ? ~std::uint64_t{0} : 0);
-  correct(a, N, b.negative() ? ~std::uint64_t{0} : 0);
+  subtract_high(b, M, a.negative() ? ~std::uint64_t{0} : 0);
+  subtract_high(a, N, b.negative() ? ~std::uint64_t{0} : 0);
   return r;
+}
+
+inline FixedInteger<2> operator*(const FixedInteger<1>& a, const FixedInteger<1>& b) {
+  __extension__ typedef __int128 Signed;
+  const DoubleLimb t = static_cast<DoubleLimb>(Signed{static_cast<std::int64_t>(a.limb[0])} *
+                                               static_cast<std::int64_t>(b.limb[0]));
+  return {{static_cast<std::uint64_t>(t), static_cast<std::uint64_t>(t >> 64)}};
 }
 
 }  // namespace circumball::internal
