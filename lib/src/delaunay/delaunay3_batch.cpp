@@ -16,10 +16,14 @@ Delaunay3::Batch Delaunay3::begin_batch(std::uint32_t first, std::uint32_t last)
   const auto at = [this](std::uint32_t v) -> const Point3& { return points_[v]; };
   for (const auto& [vertex, of] : sort_along_hilbert_curve(at, &batch.order))
     batch.duplicates.push_back({VertexId(vertex), VertexId(of)});
-  const std::size_t cells = links_.size() + 7 * batch.order.size();
-  links_.reserve(cells);
-  notes_.reserve(cells);
-  mark_.reserve(cells);
+  std::size_t cells = links_.size() + 7 * batch.order.size();
+  if (cells > links_.capacity()) {
+    // Many small batches must not move everything each time.
+    cells = std::max(cells, links_.size() + links_.size() / 2);
+    links_.reserve(cells);
+    notes_.reserve(cells);
+    mark_.reserve(cells);
+  }
   return batch;
 }
 
