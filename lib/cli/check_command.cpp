@@ -43,8 +43,8 @@ std::string summary(const ReadResult& input) {
 
 }  // namespace
 
-int check_command(const std::string& path) {
-  const ReadResult input = read_input(path);
+int check_command(const CheckArguments& arguments) {
+  const ReadResult input = read_input(arguments.input, arguments.reading);
   if (print_defects(input.defects)) return kInvalidInput;
   std::fputs(summary(input).c_str(), stdout);
   if (print_defects(check(input.complex))) return kInvalidInput;

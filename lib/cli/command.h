@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "circumball/io.h"
 #include "circumball/refine.h"
 
 /// The verbs of the command: one file each. They parse nothing and return the exit code.
@@ -25,6 +26,7 @@ enum ExitCode : int {
 
 struct MeshArguments {
   std::string input;
+  ReadOptions reading;
   Options options;
   std::vector<std::string> settings;  ///< NAME=VALUE of --set
   std::vector<std::string> outputs;
@@ -37,16 +39,23 @@ int mesh_command(const MeshArguments& arguments);
 
 struct VerifyArguments {
   std::string mesh, input;
+  ReadOptions reading;  ///< of the input
   std::optional<double> tau;
   std::string size;  ///< sizing function; "@FILE": in a file; empty: none
 };
 int verify_command(const VerifyArguments& arguments);
 
-int check_command(const std::string& input);
+struct CheckArguments {
+  std::string input;
+  ReadOptions reading;
+};
+int check_command(const CheckArguments& arguments);
+
 int list_command(bool json);
 
 struct ConvertArguments {
   std::string input, output, format;
+  ReadOptions reading;
   std::string msh_version = "4.1";
 };
 int convert_command(const ConvertArguments& arguments);

@@ -16,7 +16,7 @@ int convert_command(const ConvertArguments& arguments) {
     print_error(error);
     return kUsage;
   }
-  const ReadResult input = read_input(arguments.input);
+  const ReadResult input = read_input(arguments.input, arguments.reading);
   if (print_defects(input.defects)) return kInvalidInput;
   // Crossings may be written; what refers to nothing may not. Then all that is wrong is told.
   if (!check_numbers(input.complex, 1).empty()) {

@@ -78,7 +78,7 @@ bool read_sizing(std::string* size, std::string* error) {
   return true;
 }
 
-ReadResult read_input(const std::string& path) {
+ReadResult read_input(const std::string& path, const ReadOptions& options) {
   std::string bytes, error;
   if (!read_file(path, &bytes, &error)) {
     ReadResult result;
@@ -93,7 +93,7 @@ ReadResult read_input(const std::string& path) {
     if (!read_file(folder + name_of(name), &beside, &ignored)) return std::nullopt;
     return beside;
   };
-  return read(bytes, name_of(path), path == "-" ? Sibling() : sibling);
+  return read(bytes, name_of(path), path == "-" ? Sibling() : sibling, options);
 }
 
 std::string extension_of(const std::string& path) {

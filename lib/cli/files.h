@@ -11,7 +11,7 @@ namespace circumball::cli {
 
 /// Reads a file ("-": standard input) and, where its format wants them, the files beside it. A file
 /// that cannot be opened or is larger than the address space allows for is a defect like any other.
-ReadResult read_input(const std::string& path);
+ReadResult read_input(const std::string& path, const ReadOptions& options = {});
 
 /// A sizing function as it was given: "@FILE" ("@-": standard input) stands for what is in the
 /// file, all else for itself. Fails with a sentence in `error`.

@@ -33,10 +33,21 @@ const CLI::Validator kNotNegative(
     },
     "NUMBER");
 
+void add_reading_options(CLI::App* verb, ReadOptions* reading) {
+  verb->add_option(
+          "--weld", reading->weld,
+          "Surfaces (STL, OFF, OBJ, PLY): vertices at most this far apart are one; 0: equal "
+          "ones (default for STL)")
+      ->check(kNotNegative);
+  verb->add_flag("!--no-merge", reading->merge_coplanar,
+                 "Surfaces of triangles: make no face of coplanar neighbors");
+}
+
 void add_mesh_options(CLI::App* verb, MeshArguments* mesh) {
   Options& options = mesh->options;
   verb->add_option("INPUT", mesh->input, "The complex: a file of any format that is read")
       ->required();
+  add_reading_options(verb, &mesh->reading);
   verb->add_option("--tau", options.tau, "Radius-edge threshold")->check(kPositive);
   verb->add_option("--min-angle", options.min_angle_degrees,
                    "Smallest angle in degrees, in the plane (default 20.7); tau = 1 / (2 sin)")
@@ -106,12 +117,14 @@ int run(int argc, char** argv) {
   verify_verb->add_option("--tau", verify.tau, "Radius-edge bound to check")->check(kPositive);
   verify_verb->add_option("--size", verify.size,
                           "Bound on the circumradius to check, as 'mesh' takes it");
+  add_reading_options(verify_verb, &verify.reading);
   verify_verb->callback([&] { action = [&] { return verify_command(verify); }; });
 
-  std::string checked;
+  CheckArguments checked;
   CLI::App* check_verb =
       app.add_subcommand("check", "What is in a complex, and what is wrong with it");
-  check_verb->add_option("INPUT", checked, "The complex")->required();
+  check_verb->add_option("INPUT", checked.input, "The complex")->required();
+  add_reading_options(check_verb, &checked.reading);
   check_verb->callback([&] { action = [&] { return check_command(checked); }; });
 
   bool json = false;
@@ -128,6 +141,7 @@ int run(int argc, char** argv) {
   convert_verb->add_option("--format", convert.format, "Format of standard output: an extension");
   convert_verb->add_option("--msh", convert.msh_version, "Version of .msh files")
       ->check(CLI::IsMember({"4.1", "2.2"}));
+  add_reading_options(convert_verb, &convert.reading);
   convert_verb->callback([&] { action = [&] { return convert_command(convert); }; });
 
   try {

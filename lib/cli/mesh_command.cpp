@@ -128,7 +128,7 @@ int mesh_command(const MeshArguments& arguments) {
   Options options = arguments.options;
   if (!read_sizing(&options.size, &error)) return usage(error);
 
-  const ReadResult input = read_input(arguments.input);
+  const ReadResult input = read_input(arguments.input, arguments.reading);
   if (print_defects(input.defects)) return kInvalidInput;
   if (!known_extensions(destinations, input.complex.dimension, &error)) return usage(error);
   if (!complete_options(arguments, input.complex, &options, &error)) return usage(error);

@@ -29,7 +29,7 @@ int verify_command(const VerifyArguments& arguments) {
     print_error(error);
     return kUsage;
   }
-  const ReadResult input = read_input(arguments.input);
+  const ReadResult input = read_input(arguments.input, arguments.reading);
   // Of a .node file the mesh is in the .ele beside it.
   std::string mesh_file = arguments.mesh;
   const std::string node = ".node";
