@@ -305,6 +305,45 @@ describe.each(commands)('%s', (_, command) => {
     expect(bench.json('again.json')).toEqual(bench.json('third.json'));
   });
 
+  it('a surface of space is welded and merged as asked, and check and convert agree', () => {
+    const corners = ['0 0 0', '1 0 0', '1 1 0', '0 1 0', '0 0 1'];
+    const facets = [
+      [0, 2, 1],
+      [0, 3, 2],
+      [0, 1, 4],
+      [1, 2, 4],
+      [2, 3, 4],
+      [3, 0, 4],
+    ];
+    const text = (tip: string) =>
+      [
+        'solid',
+        ...facets.flatMap((f) => [
+          'outer loop',
+          ...f.map((v) => `vertex ${corners[v]}`),
+          'endloop',
+        ]),
+        'endsolid',
+      ]
+        .join('\n')
+        .replace('0 0 1', tip);
+    bench.write('pyramid.stl', text('0 0 1'));
+    bench.write('loose.stl', text('0 0 1.0000001'));
+    const counts = (...args: string[]) =>
+      /: (\d+) vertices, (\d+) segments, (\d+) faces/
+        .exec(bench.run('check', ...args).out)
+        ?.slice(1);
+    expect(counts('pyramid.stl')).toEqual(['5', '8', '5']);
+    expect(counts('pyramid.stl', '--no-merge')).toEqual(['5', '9', '6']);
+    expect(counts('loose.stl')).toEqual(['6', '10', '5']);
+    expect(counts('loose.stl', '--weld', '1e-6')).toEqual(['5', '8', '5']);
+    for (const output of ['p.poly', 'p.smesh', 'p.off', 'p.obj', 'p.ply', 'p.json']) {
+      expect(bench.run('convert', 'pyramid.stl', output).code).toBe(0);
+      expect(counts(output, '--no-merge')).toEqual(['5', '8', '5']);
+    }
+    expect(bench.run('check', 'p.off', '--weld', '-1').code).toBe(2);
+  });
+
   it('--compact drops the vertices that no cell uses', () => {
     bench.write(
       'dot.poly',

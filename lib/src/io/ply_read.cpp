@@ -219,6 +219,7 @@ class PlyReader {
       return std::any_of(element.properties.begin(), element.properties.end(),
                          [&](const Property& p) { return p.name == name && !p.list; });
     };
+    const bool has_ends = has("vertex1") && has("vertex2");
     if (is_vertex && !(has("x") && has("y")))
       return fail(result_, "unsupported", "the vertices have no x and y: add them");
     for (std::size_t row = 0; row < element.count; ++row) {
@@ -240,7 +241,7 @@ class PlyReader {
         }
       }
       if (is_vertex) soup->vertices.push_back(at);
-      if (is_edge && has("vertex1") && has("vertex2"))
+      if (is_edge && has_ends)
         soup->segments.push_back(
             {index(ends[0], &soup->missing_ends), index(ends[1], &soup->missing_ends)});
       if (is_face && !end_face(soup, row)) return false;
