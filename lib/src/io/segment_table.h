@@ -28,14 +28,14 @@ class SegmentTable {
     return it->second;
   }
 
-  /// Every side of the loops of `face`. Sides that lead nowhere or to their own beginning are left
-  /// to `check`, which tells of the loop.
+  /// Every side of the loops of `face`, as `with_sides` has it: the smaller number first. Sides
+  /// that lead nowhere or to their own beginning are left to `check`, which tells of the loop.
   void add_sides(const Face& face) {
     const std::size_t n = complex_.vertices.size();
     for (const auto& loop : face.loops)
       for (std::size_t i = 0; i < loop.size(); ++i) {
         const std::uint32_t a = loop[i], b = loop[i + 1 < loop.size() ? i + 1 : 0];
-        if (a != b && a < n && b < n) number(a, b);
+        if (a != b && a < n && b < n) number(a < b ? a : b, a < b ? b : a);
       }
   }
 
