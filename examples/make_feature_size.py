@@ -3,22 +3,24 @@ wheel.json (Example 4.2.2) and two-non-convex.json (Example 4.2.3), each in 26 f
 
     python3 examples/make_feature_size.py
 
-The thesis prints pictures and, for the wheel, counts, but no sizes: those here are fitted to the counts.
+The thesis prints pictures and, for the wheel, counts, but no sizes: those here are fitted to counts of vertices after
+steps 0, 1a, 1b, 2a and 2b, of the thesis for the wheel and of a prototype for the others: 38, 62, 140, 482, 1858;
+31, 47, 51, 135, 542; 72, 202, 518, 2051, 11351; 42, 76, 156, 549, 2160.
 """
 
 from space import Complex, direction, square
 
 # Figure 4.1: one large square slightly below two small ones, side by side.
-LARGE, SMALL, GAP, HEIGHT = 4.0, 1.5, 0.1, 0.2
-SQUARES_BOX = 6.0
+LARGE, SMALL, GAP, HEIGHT = 3.0, 1.0, 0.09, 0.1
+SQUARES_BOX = 4.5
 # Example 4.2.1: sides of the base are 2 BASE long.
-BASE, APEX = 1.0, 2.0
+BASE, APEX = 1.0, 1.48
 PYRAMID_BOX = 3.0
 # Example 4.2.2: unit spokes about an axis of length 1, a square of side 2 PLATE below them.
 SPOKES, PLATE, BELOW, SHIFT = 20, 2.5, 0.077, 0.25
 WHEEL_BOX = 5.0
-# Example 4.2.3: two faces of 8 and 10 sides that share one, at an angle in degrees.
-ANGLE = 50
+# Example 4.2.3: two faces of 8 and 10 sides that share one, at an angle in degrees; the width of the U's notch.
+ANGLE, NOTCH = 19.2, 0.42
 NON_CONVEX_BOX = 12.0
 
 
@@ -56,7 +58,8 @@ def wheel():
 def two_non_convex():
     """A U that lies, and stairs that lean over it, with the bottom of the U in common."""
     c = Complex()
-    u = c.add([(x, y, 0) for x, y in ((0, 0), (6, 0), (6, 6), (4, 6), (4, 2), (2, 2), (2, 6), (0, 6))])
+    left, right = 3 - NOTCH / 2, 3 + NOTCH / 2
+    u = c.add([(x, y, 0) for x, y in ((0, 0), (6, 0), (6, 6), (right, 6), (right, 2), (left, 2), (left, 6), (0, 6))])
     c.face(u)
     cos, sin = direction(ANGLE)
     stairs = ((6, 1.5), (5, 1.5), (5, 3), (3.5, 3), (3.5, 4.5), (2, 4.5), (2, 6), (0, 6))
