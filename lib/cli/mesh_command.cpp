@@ -45,9 +45,13 @@ bool parse_outputs(const MeshArguments& arguments, std::vector<Destination>* des
   return to_stdout <= 1;
 }
 
+/// The table of sizes, which only `feature-size` makes.
+constexpr char kSizeTable[] = ".csv";
+
 bool known_extensions(const std::vector<Destination>& destinations, int dimension,
-                      std::string* error) {
-  const std::vector<std::string> known = mesh_extensions(dimension);
+                      const std::string& algorithm, std::string* error) {
+  std::vector<std::string> known = mesh_extensions(dimension);
+  if (algorithm == "feature-size") known.push_back(kSizeTable);
   for (const Destination& destination : destinations) {
     if (std::count(known.begin(), known.end(), destination.extension)) continue;
     *error = fmt::format("a mesh of dimension {} cannot be written as '{}'; known: {}", dimension,
@@ -106,6 +110,10 @@ bool write_meshes(const MeshArguments& arguments, const std::vector<Destination>
   WriteOptions options;
   options.msh_version = arguments.msh_version;
   for (const Destination& destination : destinations) {
+    if (destination.extension == kSizeTable) {
+      if (!write_file(destination.path, size_table(run, mesh), error)) return false;
+      continue;
+    }
     const std::vector<OutputFile> files =
         write_mesh(mesh, run.complex(), destination.extension, options, error);
     if (files.empty() || !write_files(destination, files, error)) return false;
@@ -130,8 +138,10 @@ int mesh_command(const MeshArguments& arguments) {
 
   const ReadResult input = read_input(arguments.input, arguments.reading);
   if (print_defects(input.defects)) return kInvalidInput;
-  if (!known_extensions(destinations, input.complex.dimension, &error)) return usage(error);
   if (!complete_options(arguments, input.complex, &options, &error)) return usage(error);
+  if (!known_extensions(destinations, input.complex.dimension, options.algorithm, &error)) {
+    return usage(error);
+  }
 
   Trace trace;
   std::vector<Defect> defects;
