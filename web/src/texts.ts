@@ -397,6 +397,7 @@ export const texts = {
     details: (name: string) => `The panel is about: ${name}`,
     vertices: 'Vertices',
     triangles: 'Triangles',
+    tetrahedra: 'Tetrahedra',
     minAngle: 'Smallest angle',
     maxAngle: 'Largest angle',
     refused: 'Refused',

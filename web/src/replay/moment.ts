@@ -8,7 +8,7 @@ import {
 } from '../shared/types.ts';
 import { Kind, NONE, Reason, type TraceEvent } from './event.ts';
 import { circumcircle, distance, midpoint, point } from './geometry.ts';
-import { circumball, point3 } from './geometry3.ts';
+import { type Ball3, circumball, distance3, point3 } from './geometry3.ts';
 import type { Replay } from './replay.ts';
 import { type DomainCounts, sentenceOf } from './sentence.ts';
 
@@ -55,7 +55,8 @@ export function momentAt(
     return {
       ...words,
       dimension: 3,
-      ball: acting ? circumball(corners) : null,
+      ...nearness(replay, e),
+      ...(acting && !isNear(e) ? { ball: circumball(corners) } : {}),
       ghost: hasGhost ? e.place : null,
       face: face === NONE ? null : face,
       facets: trace.facetLives?.changed(e.index).born ?? new Uint32Array(0),
@@ -68,6 +69,37 @@ export function momentAt(
     ball: acting ? ballOf(e, corners, trace.input.vertexCount) : null,
     ghost: hasGhost ? e.at : null,
   };
+}
+
+/** A vertex is unacceptably near to a Delaunay neighbor of it (thesis, sections 4.2 and 4.3). */
+function isNear(e: TraceEvent): boolean {
+  return (
+    e.reason === Reason.nearWitness ||
+    e.reason === Reason.nearLocalWitness ||
+    e.reason === Reason.nearVertex
+  );
+}
+
+/**
+ * The vertex q that the witness is near to, and the ball about it that decides: of the length of the subsegment, or of the
+ * circumdiameter of the triangle. The record tells the distance alone; q is a corner of the simplex, or an end in its spindle.
+ */
+function nearness(replay: Replay, e: TraceEvent): { near: number | null; ball: Ball3 | null } {
+  const { trace } = replay;
+  const none = { near: null, ball: null };
+  if (!isNear(e) || e.kind !== Kind.queued || e.subject >= trace.vertexCount) return none;
+  const at = (v: number) => point3(trace.coordinates.data, v);
+  const witness = at(e.subject);
+  const isIt = (v: number) =>
+    v !== e.subject &&
+    trace.vertexBorn.at(v) < e.index &&
+    Math.abs(distance3(at(v), witness) - e.value) <= 1e-12 * e.value;
+  let near = e.simplex.find(isIt) ?? null;
+  for (let v = 0; near === null && v < trace.input.vertexCount; v++) if (isIt(v)) near = v;
+  for (let v = 0; near === null && v < trace.vertexCount; v++) if (isIt(v)) near = v;
+  const radius = 2 * (circumball(e.simplex.map(at))?.radius ?? Number.NaN);
+  if (near === null || !Number.isFinite(radius)) return { near, ball: null };
+  return { near, ball: { center: at(near), radius } };
 }
 
 function domainCounts(replay: Replay, e: TraceEvent): DomainCounts | undefined {
@@ -103,7 +135,10 @@ export function ruleOf(e: TraceEvent): RuleName | null {
 function witnessOf(e: TraceEvent): number | null {
   const hasWitness =
     e.kind === Kind.queued &&
-    (e.reason === Reason.encroached || e.reason === Reason.witness || e.reason === Reason.tooLong);
+    (e.reason === Reason.encroached ||
+      e.reason === Reason.witness ||
+      e.reason === Reason.tooLong ||
+      isNear(e));
   return hasWitness && e.subject !== NONE ? e.subject : null;
 }
 

@@ -11,8 +11,11 @@ export interface QueueView {
   readonly events: readonly number[];
 }
 
-/** How triangles are ordered: by birth (Ruppert), or the largest value first (Chew). Subsegments always go first. */
-export type TriangleOrder = 'birth' | 'value';
+/**
+ * How triangles are ordered: by birth (Ruppert), or the largest value first (Chew), subsegments before them. Or (feature sizes in
+ * space) triangles first, then subsegments by length, which a function of the event that queued them gives.
+ */
+export type QueueOrder = 'birth' | 'value' | ((event: number) => number);
 
 /**
  * Who waited in the queue, and from when to when: entries with the interval in which they waited, as in Trace.
@@ -51,7 +54,7 @@ export class QueueHistory {
   }
 
   /** O(entries ever queued before the position). */
-  at(position: number, most: number, order: TriangleOrder = 'birth'): QueueView {
+  at(position: number, most: number, order: QueueOrder = 'birth'): QueueView {
     const segments: number[] = [];
     const returned: number[] = [];
     const triangles: number[] = [];
@@ -67,7 +70,14 @@ export class QueueHistory {
     if (order === 'value')
       triangles.sort((i, j) => this.value.data[j]! - this.value.data[i]! || i - j);
     returned.reverse(); // who came back last stands at the head
-    const all = segments.concat(returned, triangles);
+    const isByLength = typeof order === 'function';
+    if (isByLength) {
+      const lengths = new Map(segments.map((i) => [i, order(this.queuedBy.at(i))]));
+      segments.sort((i, j) => lengths.get(j)! - lengths.get(i)! || i - j);
+    }
+    const all = isByLength
+      ? returned.concat(triangles, segments)
+      : segments.concat(returned, triangles);
     return {
       length: all.length,
       segments: segments.length,

@@ -85,6 +85,12 @@ function queued(e: TraceEvent, name: string, dimension: 2 | 3): string {
         : `${it} is unacceptable: vertex ${e.subject} lies inside its ${ball}.`;
     case Reason.witness:
       return `${it} is unacceptable: vertex ${e.subject} is a 1-feature size witness inside its ${ball}.`;
+    case Reason.nearWitness:
+      return `${it} is unacceptable: vertex ${e.subject}, a Delaunay neighbor of one of its ends or of an end in its spindle, is a 1-feature size witness for it, ${formatNumber(e.value)} away: less than its length.`;
+    case Reason.nearLocalWitness:
+      return `${it} is unacceptable: vertex ${e.subject}, a Delaunay neighbor of one of its ends, is a local feature size witness for it, ${formatNumber(e.value)} away: less than its length.`;
+    case Reason.nearVertex:
+      return `${it} is unacceptable: vertex ${e.subject}, a Delaunay neighbor of one of its vertices, lies outside of the face and ${formatNumber(e.value)} away: less than its circumdiameter.`;
     case Reason.missing:
       return `${it} is unacceptable: it is not an edge of the Delaunay triangulation.`;
     case Reason.radiusEdge:
@@ -132,6 +138,8 @@ function inserted(e: TraceEvent, name: string): string {
       return `${vertex} is inserted on ${name}, so that adjacent segments have pieces of equal lengths.${radius}`;
     case Reason.shell:
       return `${vertex} is inserted on ${name}, on a concentric shell about its input vertex.${radius}`;
+    case Reason.third:
+      return `${vertex} is inserted on ${name}, a third of the way to the nearest neighbor of its input vertex.${radius}`;
     case Reason.offCenter:
       return `${vertex} is inserted at the off-center of ${name}.${radius}`;
     case Reason.circumcenter:
@@ -155,6 +163,10 @@ function refusal(e: TraceEvent): string {
       return 'the new vertex could not be told from another one in double precision';
     case Reason.seditious:
       return 'its shortest edge is seditious: it joins two segments of a small angle, equally far from where they meet';
+    case Reason.outsideFace:
+      return 'its circumcenter lies outside of its face';
+    case Reason.nearSegment:
+      return 'its circumcenter would have an end of a segment of the face for a Delaunay neighbor, nearer than that segment is long';
     case Reason.frozen:
       return 'it would yield to a subsegment that was refused itself';
     default:
@@ -193,6 +205,11 @@ export function reasonInBrief(e: TraceEvent): string {
       return e.subject === NONE ? 'encroached' : `encroached by vertex ${e.subject}`;
     case Reason.witness:
       return `vertex ${e.subject} is a witness`;
+    case Reason.nearWitness:
+    case Reason.nearLocalWitness:
+      return `witness ${e.subject} is ${formatNumber(e.value)} away`;
+    case Reason.nearVertex:
+      return `vertex ${e.subject} is ${formatNumber(e.value)} away`;
     case Reason.missing:
       return 'not an edge';
     case Reason.radiusEdge:

@@ -100,6 +100,19 @@ export class Trace {
     return this.bytes[i * EVENT_BYTES + 2]!;
   }
 
+  /** Of the subsegment that an event is about. */
+  segmentLength(index: number): number {
+    const { dimension } = this;
+    const [a, b] = this.event(index).simplex;
+    let sum = 0;
+    for (let k = 0; k < dimension; k++) {
+      const d =
+        this.coordinates.data[dimension * a! + k]! - this.coordinates.data[dimension * b! + k]!;
+      sum += d * d;
+    }
+    return Math.sqrt(sum);
+  }
+
   event(index: number): TraceEvent {
     const byte = index * EVENT_BYTES;
     const word = index * 16;
@@ -178,8 +191,8 @@ export class Trace {
       const record = [...canonical(...corners), face] as [number, number, number, number];
       if (stream >= start + 5 * deadCount)
         lives.bear(record, record, simplices[stream + 4]! & 3, event.index);
-      else if (!lives.kill(record, event.index))
-        throw new Error(`event ${event.index}: a triangle of a face died that never lived`);
+      else if (lives.kill(record, event.index)) this.queue.died(corners, event.index);
+      else throw new Error(`event ${event.index}: a triangle of a face died that never lived`);
     }
     return end;
   }

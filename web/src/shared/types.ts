@@ -179,6 +179,7 @@ export interface Moment extends MomentOf<Point> {
 export interface Moment3 extends MomentOf<Point3> {
   readonly dimension: 3;
   readonly face: number | null;
+  readonly near: number | null; // vertex that the witness is a near neighbor of
   readonly facets: Uint32Array; // triangles of a face's own triangulation that were born
 }
 

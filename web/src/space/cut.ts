@@ -1,7 +1,7 @@
 /** Tetrahedra as what is seen of them: the facets of their union, whole or cut by a plane, or each cell by itself. */
 
-import { SimplexTable } from '../replay/simplex-table';
 import { Label, type MeshState, type Point3 } from '../shared/types';
+import { type Adjacency, adjacencyOf, cellFacets, NOBODY } from './adjacency';
 import type { Plane } from './view';
 
 /** Triangles with the number of the cell that each belongs to, and which of its edges are edges of the mesh (bits 1, 2, 4; CAP). */
@@ -21,59 +21,55 @@ export interface CutOptions {
   readonly shrink: number; // 0 to 1: towards the centroids
 }
 
-/** Facets of a positively oriented cell, each counter-clockwise from without: opposite to its first vertex, second, … */
-const facets = [
-  [1, 2, 3],
-  [0, 3, 2],
-  [0, 1, 3],
-  [0, 2, 1],
-] as const;
-
 const ALL_EDGES = 7;
 /** Lies in the plane: it is not to be cut once more. */
 export const CAP = 8;
 
-/** Reuses `into`. O(live cells). */
-export function cutCells(state: MeshState, options: CutOptions, into: Cut = noCut()): Cut {
+enum Side {
+  hidden = 0,
+  met = 1, // by the plane
+  kept = 2,
+}
+
+/** Reuses `into`. O(live cells). `adjacency`: of the state, if it is at hand. */
+export function cutCells(
+  state: MeshState,
+  options: CutOptions,
+  into: Cut = noCut(),
+  adjacency: Adjacency | null = null,
+): Cut {
   const { plane, exact, only, shrink } = options;
-  into.count = 0;
-  const shown: number[] = [];
-  for (let i = 0; i < state.liveCellCount; i++) {
-    const n = state.liveCells[i]!;
-    if (only ? !only.has(n) : !options.outside && state.cellLabel[n] === Label.outside) continue;
-    shown.push(n);
-  }
-  const cut = plane && !only ? plane : null;
+  const cut = only ? null : plane;
+  const count = state.liveCellCount;
   const isWhole = shrink > 0;
-  const boundary = new SimplexTable();
-  const corners: Float64Array = new Float64Array(12);
+  const sides = new Uint8Array(count);
+  const corners = new Float64Array(12);
   const depths = new Float64Array(4);
-  const candidates: number[] = []; // facets that may be of the boundary: 4 n + k
-  for (const n of shown) {
-    placeCorners(state, n, shrink, corners);
-    const side = cut ? sideOf(corners, cut, exact, depths) : 'kept';
-    if (side === 'gone') continue;
-    if (side === 'met') cap(corners, depths, n, into);
-    for (let k = 0; k < 4; k++) {
-      if (isWhole) {
-        pushFacet(corners, k, n, into);
-        continue;
-      }
-      const [a, b, c] = sorted(state, n, k);
-      // A facet of two cells that are both seen is inside.
-      if (boundary.take(a, b, c) < 0) {
-        boundary.set(a, b, c, candidates.length);
-        candidates.push(4 * n + k);
-      }
+  into.count = 0;
+  for (let p = 0; p < count; p++) {
+    const n = state.liveCells[p]!;
+    if (only ? !only.has(n) : !options.outside && state.cellLabel[n] === Label.outside) continue;
+    if (!cut) {
+      sides[p] = Side.kept;
+      continue;
     }
+    placeCorners(state, n, shrink, corners);
+    sides[p] = sideOf(corners, cut, exact, depths);
+    if (sides[p] === Side.met) cap(corners, depths, n, into);
   }
-  for (const [i, facet] of candidates.entries()) {
-    const n = facet >>> 2;
-    const k = facet & 3;
-    const [a, b, c] = sorted(state, n, k);
-    if (boundary.get(a, b, c) !== i) continue;
-    placeCorners(state, n, 0, corners);
-    pushFacet(corners, k, n, into);
+  const { neighbors } = isWhole ? { neighbors: null } : (adjacency ?? adjacencyOf(state));
+  for (let p = 0; p < count; p++) {
+    if (sides[p] === Side.hidden) continue;
+    const n = state.liveCells[p]!;
+    let isPlaced = false;
+    for (let k = 0; k < 4; k++) {
+      // A facet of two cells that are both seen is inside.
+      const neighbor = neighbors ? neighbors[4 * p + k]! : NOBODY;
+      if (neighbor !== NOBODY && sides[neighbor] !== Side.hidden) continue;
+      if (!isPlaced) placeCorners(state, n, shrink, corners);
+      isPlaced = true;
+      pushFacet(corners, k, n, into);
+    }
   }
   return into;
 }
@@ -105,7 +101,7 @@ function sideOf(
   { normal, offset }: Plane,
   exact: boolean,
   depths: Float64Array,
-): 'kept' | 'gone' | 'met' {
+): Side {
   let beyond = 0;
   let sum = 0;
   for (let i = 0; i < 4; i++) {
@@ -118,8 +114,8 @@ function sideOf(
     sum += d;
     if (d > 0) beyond++;
   }
-  if (!exact) return sum > 0 ? 'gone' : 'kept';
-  return beyond === 0 ? 'kept' : beyond === 4 ? 'gone' : 'met';
+  if (!exact) return sum > 0 ? Side.hidden : Side.kept;
+  return beyond === 0 ? Side.kept : beyond === 4 ? Side.hidden : Side.met;
 }
 
 /** Where the plane cuts a cell: a triangle or a quadrilateral. */
@@ -147,9 +143,18 @@ function cap(corners: Float64Array, depths: Float64Array, n: number, into: Cut):
 }
 
 function pushFacet(corners: Float64Array, k: number, n: number, into: Cut): void {
-  const at = (i: number): Point3 => [corners[3 * i]!, corners[3 * i + 1]!, corners[3 * i + 2]!];
-  const [a, b, c] = facets[k]!;
-  push(at(a), at(b), at(c), n, ALL_EDGES, into);
+  const row = into.count++;
+  if (row === into.cells.length) grow(into);
+  const facet = cellFacets[k]!;
+  for (let i = 0; i < 3; i++) {
+    const from = 3 * facet[i]!;
+    const to = 9 * row + 3 * i;
+    into.corners[to] = corners[from]!;
+    into.corners[to + 1] = corners[from + 1]!;
+    into.corners[to + 2] = corners[from + 2]!;
+  }
+  into.cells[row] = n;
+  into.edges[row] = ALL_EDGES;
 }
 
 function push(a: Point3, b: Point3, c: Point3, n: number, edges: number, into: Cut): void {
@@ -171,15 +176,4 @@ function grow(cut: Cut): void {
   const edges = new Uint8Array(size);
   edges.set(cut.edges);
   Object.assign(cut, { corners, cells, edges });
-}
-
-function sorted(state: MeshState, n: number, k: number): [number, number, number] {
-  const [i, j, l] = facets[k]!;
-  let a = state.cells[4 * n + i]!;
-  let b = state.cells[4 * n + j]!;
-  let c = state.cells[4 * n + l]!;
-  if (a > b) [a, b] = [b, a];
-  if (b > c) [b, c] = [c, b];
-  if (a > b) [a, b] = [b, a];
-  return [a, b, c];
 }

@@ -12,6 +12,7 @@ import {
   type Point3,
   VertexKind,
 } from '../shared/types';
+import { type Adjacency, adjacencyOf } from './adjacency';
 import { rgbaOf, type SpaceColoring } from './coloring';
 import { type Cut, cutCells, noCut } from './cut';
 import { putLine, putMark3, putPoint3 } from './layer';
@@ -57,6 +58,7 @@ export class SpaceMeshLayer {
   private readonly segmentSlots = new SlotTable();
   private vertexSeen = new Uint8Array(0); // 1: row is written for a vertex that is there
   private vertexCount = 0;
+  private lastAdjacency: { state: MeshState; adjacency: Adjacency } | null = null;
 
   constructor(parent: Object3D, uniforms: SpaceUniforms) {
     this.cells = new Batch(triangleShader(this.cellUniforms), uniforms, 0, 'write');
@@ -118,7 +120,8 @@ export class SpaceMeshLayer {
     const { cells: batch, cut } = this;
     const { outside, highlight: only, shrink } = look;
     const exact = look.clip?.exact ?? false;
-    cutCells(state, { outside, only, plane, exact, shrink: 0.7 * shrink }, cut);
+    const options = { outside, only, plane, exact, shrink: 0.7 * shrink };
+    cutCells(state, options, cut, shrink > 0 ? null : this.adjacencyOf(state));
     this.cellUniforms.uClips.value = exact && !only ? 1 : 0;
     const plain = parseColor(theme.dark ? '#3a4a54' : '#d3e1e9');
     batch.reserve(cut.count);
@@ -140,6 +143,15 @@ export class SpaceMeshLayer {
     }
     batch.touchAll();
     batch.flush(cut.count);
+  }
+
+  /** Kept while the plane moves through one state. */
+  private adjacencyOf(state: MeshState): Adjacency {
+    const { lastAdjacency: last } = this;
+    if (last?.state === state) return last.adjacency;
+    const adjacency = adjacencyOf(state);
+    this.lastAdjacency = { state, adjacency };
+    return adjacency;
   }
 
   dispose(): void {

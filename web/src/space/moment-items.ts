@@ -54,8 +54,10 @@ export function momentOver3(moment: Moment3, state: MeshState, theme: PictureThe
   const [witness] = moment.witness === null ? [] : cornersOf([moment.witness], state);
   if (witness) {
     const isCorner = corners.some((c) => c.every((x, k) => x === witness[k]));
-    if (corners.length > 0 && !isCorner) {
-      const foot = centroid(corners);
+    if (corners.length > 0 && (!isCorner || moment.near !== null)) {
+      // What it is near to, or the middle of the simplex, as a witness belongs to all of it.
+      const [foot = centroid(corners)] =
+        moment.near === null ? [] : cornersOf([moment.near], state);
       items.lines.push({ a: witness, b: foot, color: theme.witness, width: 2.4, dash: 'dotted' });
     }
     items.marks.push({ at: witness, shape: 'disc', size: 19, stroke: theme.witness, width: 2.6 });
