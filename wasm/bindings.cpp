@@ -40,6 +40,8 @@ val mesh_arrays(const Mesh& mesh) {
     features.push_back(f.index);
   }
   for (const MeshEdge& e : mesh.edges) edges.insert(edges.end(), {e.a, e.b, e.segment});
+  std::vector<std::uint32_t> facets;
+  for (const MeshFacet& f : mesh.facets) facets.insert(facets.end(), {f.a, f.b, f.c, f.face});
   val result = val::object();
   result.set("dimension", mesh.dimension);
   result.set("inputVertices", mesh.input_vertices);
@@ -49,6 +51,7 @@ val mesh_arrays(const Mesh& mesh) {
   result.set("cellRegions", copied(mesh.cell_regions));
   result.set("vertexFeatures", copied(features));
   result.set("edges", copied(edges));
+  result.set("facets", copied(facets));
   return result;
 }
 

@@ -132,6 +132,7 @@ export interface MeshArrays {
   cellRegions: Float64Array;
   vertexFeatures: Uint32Array; // 2 numbers a vertex: kind (0 vertex, 1 segment, 2 face, 3 free), index
   edges: Uint32Array; // 3 numbers: a, b, input segment
+  facets: Uint32Array; // in space, 4 numbers: a, b, c, input face
 }
 
 /** Feature sizes of a complex at points (thesis, Definition 2.1.6), by the oracle that the theorems are checked with. */

@@ -104,6 +104,47 @@ describe('check', () => {
   });
 });
 
+describe('faceTriangles', () => {
+  it('fills faces, holes left out, with the number of the face', () => {
+    const ring = (z: number) => [
+      [0, 0, z],
+      [4, 0, z],
+      [4, 4, z],
+      [0, 4, z],
+      [1, 1, z],
+      [3, 1, z],
+      [3, 3, z],
+      [1, 3, z],
+    ];
+    const loop = (from: number) => [from, from + 1, from + 2, from + 3];
+    const complex = {
+      circumball: 1,
+      dimension: 3,
+      vertices: [...ring(0), ...ring(1)],
+      faces: [{ loops: [loop(0), loop(4)], holes: [[2, 2, 0]] }, { loops: [loop(8)] }],
+    };
+    const triangles = core.faceTriangles(JSON.stringify(complex));
+    expectDeclared('faceTriangles', triangles);
+    let area = [0, 0];
+    for (let t = 0; t < triangles.length; t += 4) {
+      const [a, b, c] = [0, 1, 2].map((k) => complex.vertices[triangles[t + k]!]!);
+      const twice = (b![0]! - a![0]!) * (c![1]! - a![1]!) - (b![1]! - a![1]!) * (c![0]! - a![0]!);
+      expect(twice).toBeGreaterThan(0); // counter-clockwise about the normal
+      area = area.map((x, face) => (face === triangles[t + 3] ? x + twice / 2 : x));
+    }
+    expect(area).toEqual([12, 16]);
+  });
+
+  it('of what is no complex are none', () => {
+    for (const text of [
+      '',
+      '{"circumball": 1',
+      '{"circumball":1,"dimension":3,"vertices":[],"faces":[{"loops":[[0,1,2]]}]}',
+    ])
+      expect(core.faceTriangles(text)).toHaveLength(0);
+  });
+});
+
 describe('featureSizes', () => {
   it('gives lfs, mfs and the witnesses at each point', () => {
     const answer = core.featureSizes(squareText, new Float64Array([0.5, 0.25, 0, 0, 2, 0.5]));

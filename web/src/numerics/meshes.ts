@@ -40,6 +40,7 @@ export function meshOf(state: MeshState): MeasuredMesh {
       cellRegions: new Float64Array(0),
       vertexFeatures: new Uint32Array(0),
       edges: new Uint32Array(0),
+      facets: new Uint32Array(0),
     },
     numbers: Uint32Array.from(numbers),
   };

@@ -47,10 +47,19 @@ export function momentUnder3(moment: Moment3, state: MeshState, theme: PictureTh
   return items;
 }
 
-/** Above everything. */
-export function momentOver3(moment: Moment3, state: MeshState, theme: PictureTheme): SpaceItems {
+/** Above everything. `hides`: there is what may stand before the simplex in hand: its outline is seen through it. */
+export function momentOver3(
+  moment: Moment3,
+  state: MeshState,
+  theme: PictureTheme,
+  hides: boolean,
+): SpaceItems {
   const items = noSpaceItems();
   const corners = cornersOf(moment.simplex, state);
+  if (hides) {
+    for (const [a, b] of edgesOf(corners))
+      items.lines.push({ a, b, color: theme.acting, width: 1.6, dash: 'dashed', opacity: 0.8 });
+  }
   const [witness] = moment.witness === null ? [] : cornersOf([moment.witness], state);
   if (witness) {
     const isCorner = corners.some((c) => c.every((x, k) => x === witness[k]));

@@ -428,7 +428,8 @@ export class CanvasSpacePicture implements SpacePicture {
     }
     if (state && spaceLook.cells && stale.cells) this.mesh.setCells(state, look);
     this.mesh.show(state !== null, spaceLook);
-    if (stale.complex || stale.look) this.prepareComplex();
+    if (stale.complex) this.prepareComplex();
+    if (stale.complex || stale.look) this.showFaces();
     if (stale.moment || stale.complex) this.prepareMoment();
     const markSize = this.markSize();
     this.mesh.setVertexSize(markSize);
@@ -444,15 +445,10 @@ export class CanvasSpacePicture implements SpacePicture {
   }
 
   private prepareComplex(): void {
-    const { complex, theme, window, spaceLook, faces, triangles, view } = this;
+    const { complex, theme, window, faces, triangles, view } = this;
     const meshed = this.state !== null;
     const items = complex ? complexItems3(complex, theme, meshed) : noSpaceItems();
     this.layers.input.set(items, window, view.scale);
-    const solid = spaceLook.faces === 'solid';
-    this.faceUniforms.uOpacity.value = faceOpacity(spaceLook, theme);
-    this.faceUniforms.uLit.value = solid ? 1 : 0.4;
-    faces.mesh.material.depthWrite = solid;
-    faces.mesh.renderOrder = solid ? 1 : 11;
     const color = rgbaOf(faceColor(theme));
     faces.reserve(triangles.length / 4);
     let row = 0;
@@ -466,13 +462,24 @@ export class CanvasSpacePicture implements SpacePicture {
     }
     faces.touchAll();
     faces.flush(row);
-    faces.mesh.visible = row > 0 && spaceLook.faces !== 'hidden';
+  }
+
+  private showFaces(): void {
+    const { spaceLook, theme, faces } = this;
+    const solid = spaceLook.faces === 'solid';
+    this.faceUniforms.uOpacity.value = faceOpacity(spaceLook, theme);
+    this.faceUniforms.uLit.value = solid ? 1 : 0.4;
+    faces.mesh.material.depthWrite = solid;
+    // Solid faces are drawn before what is translucent.
+    faces.mesh.renderOrder = solid ? 1 : 11;
+    faces.mesh.visible = faces.count > 0 && spaceLook.faces !== 'hidden';
   }
 
   private prepareMoment(): void {
     const { moment, state, theme, window, view, complex } = this;
     const under = moment && state ? momentUnder3(moment, state, theme) : noSpaceItems();
-    const over = moment && state ? momentOver3(moment, state, theme) : noSpaceItems();
+    const hides = this.spaceLook.faces === 'solid' || this.spaceLook.cells;
+    const over = moment && state ? momentOver3(moment, state, theme, hides) : noSpaceItems();
     if (complex && this.defects.length > 0)
       append(over, defectItems3(complex, this.triangles, this.defects, theme));
     append(over, this.pickedItems());
