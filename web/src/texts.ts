@@ -44,6 +44,8 @@ export const texts = {
       top: 'View from above',
     },
     turn: { left: 'Turn left', right: 'Turn right', up: 'Turn up', down: 'Turn down' },
+    closer: 'Look at what happens',
+    nowhere: 'This moment is about no place.',
     colorBy: 'Color by',
     ofCells: 'Of the tetrahedra.',
     ofFacets: 'Of the triangles of the faces; show the tetrahedra to color them.',

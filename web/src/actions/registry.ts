@@ -362,6 +362,16 @@ const space: Action[] = [
     }),
   ),
   {
+    id: 'look-closer',
+    title: texts.space.closer,
+    group: 'Space',
+    keys: ['a'],
+    enabled: () => inSpace() && app.playback.moment !== null,
+    perform: () => {
+      if (!app.pane.spacePicture?.lookAtMoment()) app.say(texts.space.nowhere);
+    },
+  },
+  {
     id: 'faces',
     title: texts.space.faceLook,
     now: () => `${texts.space.faces}: ${texts.space.faceLooks[app.look.look.faces]}`,

@@ -22,6 +22,8 @@ import type { SpaceLook } from './types';
 import type { Plane, Window3 } from './view';
 
 export const segmentWidth = 2.4;
+/** In place of an input segment: of the box. */
+const NO_SEGMENT = 0xffffffff;
 
 /** Everything that the rows are written from. */
 export interface MeshLook {
@@ -145,6 +147,22 @@ export class SpaceMeshLayer {
     batch.flush(cut.count);
   }
 
+  /** Mean length of the subsegments that are not of the box. */
+  spacing(state: MeshState): number {
+    let sum = 0;
+    let count = 0;
+    for (let i = 0; i < state.liveSubsegmentCount; i++) {
+      const n = 3 * state.liveSubsegments[i]!;
+      if (state.subsegments[n + 2] === NO_SEGMENT) continue;
+      const a = 3 * state.subsegments[n]!;
+      const b = 3 * state.subsegments[n + 1]!;
+      const at = state.coordinates;
+      sum += Math.hypot(at[a]! - at[b]!, at[a + 1]! - at[b + 1]!, at[a + 2]! - at[b + 2]!);
+      count++;
+    }
+    return count > 0 ? sum / count : 0;
+  }
+
   /** Kept while the plane moves through one state. */
   private adjacencyOf(state: MeshState): Adjacency {
     const { lastAdjacency: last } = this;
@@ -171,7 +189,7 @@ export class SpaceMeshLayer {
     slots.sync(state.liveSubsegments, state.liveSubsegmentCount, count, (slot) => {
       const n = slots.numbers[slot]!;
       const [a, b, s] = state.subsegments.subarray(3 * n, 3 * n + 3) as unknown as Three;
-      const isBox = s === 0xffffffff;
+      const isBox = s === NO_SEGMENT;
       const color = isBox ? ofBox : ink;
       const width = isBox ? 1.2 : segmentWidth;
       const [p, q] = [place(state, a), place(state, b)];

@@ -93,6 +93,22 @@ export function momentOver3(
   return items;
 }
 
+/** Where a moment takes place. */
+export function placesOf(moment: Moment3, state: MeshState): Point3[] {
+  const { simplex, witness, near, vertex, yieldTo, ball, ghost, facets } = moment;
+  const born = state.facets
+    ? Array.from(facets).flatMap((n) => [...state.facets!.triangles.subarray(4 * n, 4 * n + 3)])
+    : [];
+  const named = [witness, near, vertex].filter((v) => v !== null);
+  const places = cornersOf([...simplex, ...named, ...(yieldTo ?? []), ...born], state);
+  if (ghost) places.push(ghost);
+  if (ball) {
+    const { center, radius } = ball;
+    places.push(plus(center, [radius, radius, radius]), plus(center, [radius, radius, radius], -1));
+  }
+  return places;
+}
+
 function cornersOf(vertices: ArrayLike<number>, state: MeshState): Point3[] {
   return Array.from(vertices)
     .filter((v) => v < state.vertexCount)

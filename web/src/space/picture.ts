@@ -5,7 +5,7 @@ import { parseColor } from '../picture/color';
 import { Batch } from '../picture/gpu/batch';
 import { type Glyphs, makeGlyphs } from '../picture/gpu/glyphs';
 import { renderPng } from '../picture/png';
-import { dot, minus } from '../replay/geometry3';
+import { distance3, dot, minus, plus } from '../replay/geometry3';
 import type {
   Background,
   ColorScale,
@@ -24,7 +24,7 @@ import { complexItems3, defectItems3 } from './complex-items';
 import { noSpaceItems, type SpaceItems } from './items';
 import { putPoint3, SpaceLayer } from './layer';
 import { faceColor, faceOpacity, type MeshLook, place, SpaceMeshLayer } from './mesh-layer';
-import { edgesOf, momentOver3, momentUnder3 } from './moment-items';
+import { edgesOf, momentOver3, momentUnder3, placesOf } from './moment-items';
 import { pickSpace } from './pick';
 import { makeSpaceUniforms, setSpaceView, triangleShader } from './shaders';
 import {
@@ -41,6 +41,7 @@ import {
   basisOf,
   between,
   boundsOf3,
+  centerOf,
   clampScale,
   cornersOf,
   extentOf,
@@ -113,6 +114,9 @@ export class CanvasSpacePicture implements SpacePicture {
   private triangles = new Uint32Array(0);
   private defects: readonly DefectMark[] = [];
   private inputBounds: Bounds3 | null = null;
+  private featureBounds: Bounds3 | null = null; // of segments and faces
+  private spacing = 0; // mean length of subsegments
+  private spacingOfInput = 0;
   private meshBounds: Bounds3 | null = null;
   private boundedVertices = 0;
   private state: MeshState | null = null;
@@ -158,6 +162,9 @@ export class CanvasSpacePicture implements SpacePicture {
   ): void {
     if (complex !== this.complex) {
       this.inputBounds = complex && boundsOf3([...complex.vertices, ...complex.holes]);
+      this.featureBounds = complex && boundsOfFeatures(complex);
+      this.spacingOfInput = complex ? meanLength(complex.vertices, complex.segments) : 0;
+      if (!this.state) this.spacing = this.spacingOfInput;
     }
     Object.assign(this, { complex, triangles, defects });
     this.touch('complex');
@@ -175,6 +182,7 @@ export class CanvasSpacePicture implements SpacePicture {
     }
     if ((shown === null) !== (this.state === null)) this.touch('complex');
     this.state = shown;
+    this.spacing = shown ? this.mesh.spacing(shown) : this.spacingOfInput;
     this.touch('mesh', 'cells', 'moment');
   }
 
@@ -243,13 +251,18 @@ export class CanvasSpacePicture implements SpacePicture {
   }
 
   fit(smooth = false): void {
-    const bounds = this.contents();
-    if (bounds) this.setView(fitView(this.getView(), bounds, this.size, this.insets), smooth);
+    const view = this.getView();
+    const [features, all] = [this.featureBounds, this.contents()];
+    const target = (bounds: Bounds3) => fitView(view, bounds, this.size, this.insets);
+    const near = features && target(features);
+    // Lonely vertices and the box may stand far around: once the features fill the picture, all of it is shown.
+    if (near && !(smooth && isSame(near, view))) this.setView(near, smooth);
+    else if (all) this.setView(target(all), smooth);
   }
 
   look(from: StandardView): void {
     const turned = standardView(this.getView(), from);
-    const bounds = this.contents();
+    const bounds = this.featureBounds ?? this.contents();
     this.setView(bounds ? fitView(turned, bounds, this.size, this.insets) : turned, true);
   }
 
@@ -267,6 +280,23 @@ export class CanvasSpacePicture implements SpacePicture {
 
   orbitBy(dx: number, dy: number): void {
     this.setView(orbit(this.getView(), dx, dy));
+  }
+
+  lookAtMoment(): boolean {
+    const { moment, state } = this;
+    if (!moment || !state) return false;
+    const bounds = boundsOf3(placesOf(moment, state));
+    if (!bounds) return false;
+    // A single vertex, or a tiny simplex, among what is around it.
+    const least = 3 * this.spacing;
+    const middle = centerOf(bounds);
+    const reach = Math.max(extentOf(bounds), least) / 2;
+    const grown = {
+      min: plus(middle, [reach, reach, reach], -1),
+      max: plus(middle, [reach, reach, reach]),
+    };
+    this.setView(fitView(this.getView(), grown, this.size, this.insets), true);
+    return true;
   }
 
   centerOn(at: Point3): void {
@@ -433,7 +463,8 @@ export class CanvasSpacePicture implements SpacePicture {
     if (stale.moment || stale.complex) this.prepareMoment();
     const markSize = this.markSize();
     this.mesh.setVertexSize(markSize);
-    this.layers.input.setMarkSize(markSize);
+    // Vertices of the input stay larger than what is between them.
+    this.layers.input.setMarkSize(Math.max(markSize, 0.6));
     Object.assign(stale, {
       complex: false,
       mesh: false,
@@ -548,14 +579,8 @@ export class CanvasSpacePicture implements SpacePicture {
 
   /** Vertices get smaller where they would crowd. */
   private markSize(): number {
-    const bounds = this.contents();
-    const count = this.state
-      ? this.state.liveSubsegmentCount
-      : (this.complex?.vertices.length ?? 0);
-    if (!bounds || count === 0) return 1;
-    const across = extentOf(bounds) * this.view.scale;
-    const spacing = across / Math.sqrt(count);
-    return Math.min(1, Math.max(0.4, spacing / 18));
+    if (this.spacing === 0) return 1;
+    return Math.min(1, Math.max(0.35, (this.spacing * this.view.scale) / 16));
   }
 
   private includeVertices(): void {
@@ -582,6 +607,36 @@ export class CanvasSpacePicture implements SpacePicture {
     this.lastScale = scale;
     for (const listener of this.scaleListeners) listener(scale);
   }
+}
+
+/** Of segments and faces; of all vertices if there are none. */
+function boundsOfFeatures(complex: Complex3): Bounds3 | null {
+  const used = new Set<number>();
+  for (const [a, b] of complex.segments) used.add(a).add(b);
+  for (const { loops } of complex.faces)
+    for (const loop of loops) for (const v of loop) used.add(v);
+  const places = [...used].map((v) => complex.vertices[v]).filter((p) => p !== undefined);
+  return boundsOf3(places.length > 1 ? places : complex.vertices);
+}
+
+function meanLength(
+  vertices: readonly Point3[],
+  segments: readonly (readonly [number, number])[],
+): number {
+  let sum = 0;
+  let count = 0;
+  for (const [a, b] of segments) {
+    const [p, q] = [vertices[a], vertices[b]];
+    if (!p || !q) continue;
+    sum += distance3(p, q);
+    count++;
+  }
+  return count > 0 ? sum / count : 0;
+}
+
+function isSame(a: SpaceView, b: SpaceView): boolean {
+  const drift = distance3(a.target, b.target) * a.scale;
+  return drift < 1 && Math.abs(a.scale / b.scale - 1) < 1e-3;
 }
 
 function append(to: SpaceItems, from: SpaceItems): void {

@@ -123,7 +123,7 @@ void main() {
   float size = length(n);
   n = size > 0.0 ? n / size : vec3(0.0, 0.0, 1.0);
   if (n.z < 0.0) n = -n;
-  float light = mix(1.0, 0.60 + 0.42 * max(dot(n, vec3(-0.32, 0.55, 0.77)), 0.0), uLit);
+  float light = mix(1.0, 0.78 + 0.24 * max(dot(n, vec3(-0.32, 0.55, 0.77)), 0.0), uLit);
   vColor = vec4(aColor.rgb * light, aColor.a);
   vEdges = aEdges;
   vBeyond = uClips > 0.5 && aEdges < 7.5 ? beyond(p) : -1.0; // 8: a cap lies in the plane

@@ -120,6 +120,8 @@ export interface SpacePicture {
   zoomBy(factor: number, at?: Point): void; // `at` in CSS pixels of the canvas
   panBy(dx: number, dy: number): void; // CSS pixels
   orbitBy(dx: number, dy: number): void; // CSS pixels of a drag
+  /** Turns nothing, and brings what the moment is about into sight, large. False if it is about no place. */
+  lookAtMoment(): boolean;
   /** Brings a place to the center of the canvas. */
   centerOn(at: Point3): void;
   toScreen(p: Point3): Point;
