@@ -281,7 +281,7 @@ TEST(CheckInSpace, NamesFacesThatMeet) {
 TEST(CheckInSpace, FindsExactlyWhatTheDefinitionSays) {
   Random random(11);
   std::map<std::string, int> seen;
-  for (int run = 0; run < 800; ++run) {
+  for (int run = 0; run < 600; ++run) {
     std::vector<Point3> points;
     const std::uint32_t side = 3 + run % 2;
     while (points.size() < 8) {
@@ -421,7 +421,7 @@ Complex random_walls(Random* random) {
 
 TEST(CheckInSpace, FindsNothingInRandomValidComplexesUprightOrTilted) {
   Random random(5);
-  for (int run = 0; run < 60; ++run) {
+  for (int run = 0; run < 40; ++run) {
     const Complex c = random_walls(&random);
     expect_both(c, {}, "walls");
   }
@@ -429,7 +429,7 @@ TEST(CheckInSpace, FindsNothingInRandomValidComplexesUprightOrTilted) {
 
 TEST(CheckInSpace, FindsOneFaceThatIsAddedToAValidComplexWrongly) {
   Random random(6);
-  for (int run = 0; run < 60; ++run) {
+  for (int run = 0; run < 40; ++run) {
     Complex c = random_walls(&random);
     const auto v = static_cast<std::uint32_t>(c.vertices.size());
     for (int k = 0; k < 3; ++k)
@@ -442,6 +442,100 @@ TEST(CheckInSpace, FindsOneFaceThatIsAddedToAValidComplexWrongly) {
     for (const auto& item : upright)
       EXPECT_TRUE(item.second[1] == f || c.segments[item.second[0]][0] >= v ||
                   c.segments[item.second[0]][1] >= v);
+  }
+}
+
+/// Adds the six faces of a box; `but` is left out.
+void add_box(Complex* c, const Point3& lo, const Point3& hi, int but = -1) {
+  const auto n = static_cast<std::uint32_t>(c->vertices.size());
+  for (int i = 0; i < 8; ++i)
+    c->vertices.push_back({i & 1 ? hi.x : lo.x, i & 2 ? hi.y : lo.y, i & 4 ? hi.z : lo.z});
+  const std::uint32_t corners[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                       {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  for (int f = 0; f < 6; ++f) {
+    if (f == but) continue;
+    Face face;
+    face.loops.emplace_back();
+    for (const std::uint32_t v : corners[f]) face.loops[0].push_back(n + v);
+    c->faces.push_back(face);
+  }
+  list_sides(c);
+}
+
+TEST(CheckInSpace, WarnsOfSeedsThatAreEnclosedByNothing) {
+  Complex c;
+  c.dimension = 3;
+  add_box(&c, {0, 0, 0}, {9, 9, 9});
+  add_box(&c, {1, 1, 1}, {4, 4, 4});
+  add_box(&c, {5, 5, 5}, {8, 8, 8}, 1);          // open, in the box
+  add_box(&c, {10, 0, 0}, {12, 9, 9}, 3);        // open, outside
+  c.faces.push_back({{{0, 8, 9}}, {}, {}, {}});  // a dangling wall between the boxes
+  list_sides(&c);
+  const auto seeds = [&](const std::vector<Point3>& at) {
+    c.holes = at;
+    return c;
+  };
+  expect_both(seeds({{0.5, 0.4, 0.7}, {2, 2, 2}, {6, 6, 6}, {8.5, 8.5, 8.5}, {1, 1, 8}}), {},
+              "enclosed");
+  expect_both(seeds({{11, 1, 1}}), {{"hole-outside", {}}}, "in an open box");
+  expect_both(seeds({{-5, 1, 1}}), {{"hole-outside", {}}}, "far out");
+  expect_both(seeds({{9.5, 1, 1}}), {{"hole-outside", {}}}, "between");
+  expect_found(seeds({{9, 1, 1}}), {{"hole-outside", {5}}}, "on a face");
+  expect_found(seeds({{9, 9, 1}}), {{"hole-outside", {11}}}, "on a segment");
+  expect_both(seeds({c.vertices[3]}), {{"hole-outside", {3}}}, "on a vertex");
+  c.holes.clear();
+  c.regions = {{{11, 1, 1}, 1, 0}, {{3, 3, 3}, 2, 0}};
+  expect_both(c, {{"region-outside", {}}}, "regions");
+}
+
+TEST(SmallestAngle, InSpaceIsOfSegmentsAndFacesAndBoth) {
+  const auto angle = [](const Complex& c) {
+    EXPECT_NEAR(smallest_angle_degrees(c), smallest_angle_degrees(tilted(c)), 1e-9);
+    return smallest_angle_degrees(c);
+  };
+  const double degrees = 3.1415926535897931 / 180;
+  EXPECT_EQ(angle(make({{0, 0, 0}, {1, 1, 1}}, {}, {{0, 1}})), 180);
+  EXPECT_NEAR(angle(square_and({})), 90, 1e-12);
+  EXPECT_NEAR(angle(make({{0, 0, 0}, {1, 0, 0}, {0.5, std::sqrt(3) / 2, 0}}, {{0, 1, 2}})), 60,
+              1e-9);
+  // A wedge of ten degrees between squares: their sides at the ends of the axis make the same.
+  const double x = 4 * std::cos(10 * degrees), z = 4 * std::sin(10 * degrees);
+  EXPECT_NEAR(angle(make({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {x, 0, z}, {x, 4, z}},
+                         {{0, 1, 2, 3}, {0, 4, 5, 3}})),
+              10, 1e-9);
+  // A side of one face leans over the other: closer than the faces' ten degrees.
+  const Complex lean = make({{0, 0, 0}, {0, 9, 0}, {4, 0, 0}, {x, 9, z}}, {{0, 1, 2}, {0, 1, 3}});
+  EXPECT_NEAR(angle(lean), std::asin(z / std::sqrt(4 * 4 + 9 * 9)) / degrees, 1e-9);
+  // A segment from inside a face, at twenty degrees.
+  Complex c =
+      square_and({{2, 2, 0}, {2 + std::cos(20 * degrees), 2, std::sin(20 * degrees)}}, {{4, 5}});
+  c.faces[0].vertices = {4};
+  EXPECT_NEAR(angle(c), 20, 1e-9);
+  c.faces[0].vertices = {};
+  EXPECT_NEAR(angle(c), 90, 1e-9) << "not of the face: no angle";
+  // From a corner of a face, over its inside (thirty degrees); away from it (to the sides: 125).
+  c = square_and({{1, 1, std::sqrt(2) * std::tan(30 * degrees)}}, {{0, 4}});
+  EXPECT_NEAR(angle(c), 30, 1e-9);
+  c.vertices[4] = {-1, -1, 1};
+  EXPECT_NEAR(angle(c), 90, 1e-9);
+}
+
+TEST(SmallestAngle, InSpaceIsThatOfAllPairsOfSegmentsWithoutFaces) {
+  Random random(13);
+  for (int run = 0; run < 30; ++run) {
+    Complex c;
+    c.dimension = 3;
+    const std::uint32_t n = 3 + random.below(200);
+    double expected = 180;
+    for (std::uint32_t i = 0; i <= n; ++i)
+      c.vertices.push_back({random.unit(), random.unit(), random.unit()});
+    for (std::uint32_t i = 1; i <= n; ++i) c.segments.push_back({0, i});
+    for (std::uint32_t i = 1; i <= n; ++i)
+      for (std::uint32_t j = 1; j < i; ++j)
+        expected = std::min(
+            expected, smallest_angle_degrees(make({c.vertices[0], c.vertices[i], c.vertices[j]}, {},
+                                                  {{0, 1}, {0, 2}})));
+    EXPECT_EQ(smallest_angle_degrees(c), expected);
   }
 }
 

@@ -74,14 +74,17 @@ struct Complex {
 /// (every side of a loop is to be listed as a segment of the complex), "segment-not-in-face" and
 /// "vertex-not-in-face" (listed, but outside), "face-hole-outside" (warning). And what meets
 /// outside of shared features: "vertex-in-face", "segment-in-face" (not listed there),
-/// "segment-crosses-face", "faces-cross", "faces-overlap", "duplicate-faces".
+/// "segment-crosses-face", "faces-cross", "faces-overlap", "duplicate-faces"; warnings where it is
+/// rounding that keeps features apart (1e-9 of the diameter): "vertex-near-segment",
+/// "vertex-near-face", "segments-near".
 ///
 /// Exact: a complex has none of these exactly if the relative interiors of its features (vertices,
 /// segments, faces less what they list) are disjoint. Members of a face, its vertices by number,
 /// lie in its plane as far as planarity asks, and what is between them is decided in the face's
 /// projection onto a coordinate plane, as if it were planar; to everything else a face is the
-/// surface of its own triangles (see triangulate_face). O((n + k) log n) on ordinary input. At most
-/// `max_defects` of each name are listed; a last one then counts the rest.
+/// surface of its own triangles (see triangulate_face). O((n + k) log n) on ordinary input;
+/// docs/validity.md has the argument. At most `max_defects` of each name are listed; a last one
+/// then counts the rest.
 std::vector<Defect> check(const Complex& complex, std::size_t max_defects = 1000);
 
 /// Of those defects the ones that readers leave in a complex although nothing can be made of it:
@@ -89,8 +92,10 @@ std::vector<Defect> check(const Complex& complex, std::size_t max_defects = 1000
 /// read as kNoIndex). Whoever uses the indices of a complex that was read looks here first. O(n).
 std::vector<Defect> check_numbers(const Complex& complex, std::size_t max_defects = 1000);
 
-/// Smallest angle in degrees between two input segments that share a vertex; 180 if there is none
-/// (2D).
+/// Smallest angle in degrees, 180 if there is none: between two input segments that share a vertex;
+/// in space also between two faces that share a segment, and between a segment and a face that
+/// share a vertex, where the segment is not in the face. (Two faces that share a vertex only are no
+/// closer than a segment of one is to the other.)
 double smallest_angle_degrees(const Complex& complex);
 
 /// A face of a 3D complex in triangles on its own vertices, counter-clockwise about its normal

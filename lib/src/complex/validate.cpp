@@ -18,6 +18,10 @@ std::vector<Defect> check(const Complex& complex, std::size_t max_defects) {
     const std::vector<FaceSurface> surfaces = check_faces(complex, view, max, &meetings, &defects);
     check_contacts(complex, view, surfaces, max, &meetings, &defects);
     check_near_contacts(complex, view, surfaces, meetings, max, &defects);
+    // With a boundary that is broken, "outside" would be said of seeds that are where they should
+    // be.
+    if (std::all_of(defects.begin(), defects.end(), [](const Defect& d) { return d.warning; }))
+      check_seeds_in_space(complex, view, surfaces, max, &defects);
     return defects;
   }
   std::vector<Point2> seeds;

@@ -31,6 +31,13 @@ void check_contacts(const Complex& complex, const SpaceView& view,
 void check_near_contacts(const Complex& complex, const SpaceView& view,
                          const std::vector<FaceSurface>& surfaces, const SpaceMeetings& meetings,
                          std::size_t max, std::vector<Defect>* defects);
+/// "hole-outside", "region-outside". Needs faces that meet in shared features only.
+void check_seeds_in_space(const Complex& complex, const SpaceView& view,
+                          const std::vector<FaceSurface>& surfaces, std::size_t max,
+                          std::vector<Defect>* defects);
+
+/// smallest_angle_degrees of a 3D complex.
+double smallest_angle_in_space(const Complex& complex);
 
 }  // namespace circumball
 
