@@ -32,7 +32,7 @@ std::vector<Point3> lattice_points(Random* random, int count, std::uint32_t side
 TEST(SpaceContacts, AgreeWithExactLinearProgramsOnLatticePoints) {
   Random random(3);
   int met[4] = {};
-  for (int run = 0; run < 4000; ++run) {
+  for (int run = 0; run < 6000; ++run) {
     const auto points = lattice_points(&random, 6, run % 2 == 0 ? 3 : 4);
     const SpaceContacts contacts(points);
     // Simplices that share numbers now and then.
