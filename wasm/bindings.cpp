@@ -14,7 +14,6 @@
 #include <utility>
 #include <vector>
 
-#include "circumball/feature_size.h"
 #include "circumball/io.h"
 #include "circumball/predicates.h"
 #include "circumball/refine.h"
@@ -140,6 +139,22 @@ val face_triangles(const std::string& text) {
         triangles.insert(triangles.end(), {a, b, c, face});
     }
     return copied(triangles);
+  });
+}
+
+val face_frames(const std::string& text) {
+  return guarded(copied(std::vector<double>()), [&] {
+    const ReadResult input = read(text, "input.json");
+    std::vector<double> frames;
+    if (!input.ok() || !check_numbers(input.complex, 1).empty()) return copied(frames);
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    for (std::uint32_t face = 0; face < input.complex.faces.size(); ++face) {
+      const FaceFrame frame =
+          face_frame(input.complex, face).value_or(FaceFrame{{none, none, none}, {}, {}, {}});
+      for (const Point3& p : {frame.origin, frame.first, frame.second, frame.normal})
+        frames.insert(frames.end(), {p.x, p.y, p.z});
+    }
+    return copied(frames);
   });
 }
 
@@ -289,70 +304,15 @@ val extensions(int dimension) {
   return result;
 }
 
-// The oracle of the last complex that was asked about: picking asks at every move of the pointer.
-struct Oracle {
-  std::string text;
-  std::string error;  // why there is none
-  std::unique_ptr<FeatureSizes> sizes;
-};
-
-const Oracle& oracle_of(const std::string& text) {
-  static Oracle last;
-  if (!last.text.empty() && last.text == text) return last;
-  last = Oracle();  // if what follows throws, nothing is left to be taken for an answer
-  Oracle oracle;
-  oracle.text = text;
-  const ReadResult input = read(text, "input.json");
-  std::vector<Defect> defects = input.defects;
-  if (input.ok()) {
-    for (Defect& defect : check(input.complex)) defects.push_back(std::move(defect));
-  }
-  for (const Defect& defect : defects) {
-    if (!defect.warning && oracle.error.empty()) oracle.error = defect.message;
-  }
-  if (oracle.error.empty() && input.complex.dimension != 2)
-    oracle.error = "Feature sizes are measured in the plane only.";
-  if (oracle.error.empty()) oracle.sizes = std::make_unique<FeatureSizes>(input.complex);
-  last = std::move(oracle);
-  return last;
-}
-
-val feature_sizes_answer(const std::string& error, const std::vector<double>& lfs,
-                         const std::vector<double>& mfs,
-                         const std::vector<std::uint32_t>& witnesses,
-                         const std::vector<double>& at) {
-  val result = val::object();
-  result.set("ok", error.empty());
-  result.set("error", error);
-  result.set("lfs", copied(lfs));
-  result.set("mfs", copied(mfs));
-  result.set("witnesses", copied(witnesses));
-  result.set("at", copied(at));
-  return result;
-}
-
-val feature_sizes(const std::string& text, val coordinates) {
+std::string run_complex(int id) {
   try {
-    const Oracle& oracle = oracle_of(text);
-    if (!oracle.sizes) return feature_sizes_answer(oracle.error, {}, {}, {}, {});
-    const auto xy = emscripten::convertJSArrayToNumberVector<double>(coordinates);
-    std::vector<double> lfs, mfs, at;
-    std::vector<std::uint32_t> witnesses;
-    for (std::size_t k = 0; k + 1 < xy.size(); k += 2) {
-      const Point2 point{xy[k], xy[k + 1]};
-      const FeatureBall ball = oracle.sizes->local(point);
-      lfs.push_back(ball.radius);
-      mfs.push_back(oracle.sizes->mesh(point).radius);
-      for (const FeatureWitness& witness : ball.witness) {
-        witnesses.push_back(static_cast<std::uint32_t>(witness.feature.kind));
-        witnesses.push_back(witness.feature.index);
-        at.push_back(ball.found() ? witness.at.x : std::numeric_limits<double>::quiet_NaN());
-        at.push_back(ball.found() ? witness.at.y : std::numeric_limits<double>::quiet_NaN());
-      }
-    }
-    return feature_sizes_answer("", lfs, mfs, witnesses, at);
-  } catch (const std::exception& error) {
-    return feature_sizes_answer(error.what(), {}, {}, {}, {});
+    const Session* session = find(id);
+    std::string error;
+    if (!session) return "";
+    const std::vector<OutputFile> text = write_complex(session->run->complex(), ".json", &error);
+    return text.empty() ? std::string() : text.front().bytes;
+  } catch (...) {
+    return "";
   }
 }
 
@@ -370,11 +330,12 @@ EMSCRIPTEN_BINDINGS(circumball) {
   emscripten::function("read", &read_files);
   emscripten::function("check", &check_text);
   emscripten::function("faceTriangles", &face_triangles);
-  emscripten::function("featureSizes", &feature_sizes);
+  emscripten::function("faceFrames", &face_frames);
   emscripten::function("start", &start);
   emscripten::function("advance", &advance);
   emscripten::function("cancel", &cancel);
   emscripten::function("takeTrace", &take_trace);
+  emscripten::function("runComplex", &run_complex);
   emscripten::function("mesh", &mesh_of);
   emscripten::function("report", &report_of);
   emscripten::function("write", &write_run);

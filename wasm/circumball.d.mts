@@ -141,8 +141,25 @@ export interface FeatureSizesAnswer {
   error: string; // why there are none; the arrays are empty then
   lfs: Float64Array; // one number a point; infinity where no two features are disjoint
   mfs: Float64Array; // one number a point; infinity where there are no two features
-  witnesses: Uint32Array; // 4 numbers a point: kind (0 vertex, 1 segment; 3 none), index of the two features of lfs, nearer first
-  at: Float64Array; // 4 numbers a point: x, y of the point of each nearest to it; NaN where there are none
+  witnesses: Uint32Array; // 4 numbers a point: kind (0 vertex, 1 segment, 2 face; 3 none), index of the two features of lfs, nearer first
+  at: Float64Array; // coordinates of the point of each that is nearest to it (4 numbers a point in the plane, 6 in space); NaN where there are none
+}
+
+/** Smallest balls that meet two features, centered where the infimum over a set is attained; NaN where there are none. */
+export interface FeatureBalls {
+  radius: Float64Array; // infinity where there are no two features
+  center: Float64Array; // coordinates
+  witnesses: Uint32Array; // as in FeatureSizesAnswer
+  at: Float64Array;
+}
+
+/** fs_1(s), lfs_1(s) and lfs(s) of subsegments (thesis, Definitions 2.1.6 and 2.1.7). */
+export interface SubsegmentSizesAnswer {
+  ok: boolean;
+  error: string; // why there are none; the arrays are empty then
+  fs1: FeatureBalls; // lfs_1(s) of an end segment, mfs_1(s) of any other
+  lfs1: FeatureBalls; // features of dimension 0 and 1 only
+  lfs: FeatureBalls;
 }
 
 export interface ReadAnswer {
@@ -274,8 +291,15 @@ export interface CircumballModule {
    * the face. A face that is no polygon has none.
    */
   faceTriangles(complex: string): Uint32Array;
-  /** At `points`, two coordinates each. The last complex is kept, so that asking about it again is fast. */
+  /**
+   * The plane of each face of a complex of space: twelve numbers a face, an origin, two axes and the normal (orthonormal; the frame
+   * that the face is triangulated in). NaN as the origin of a face that has none.
+   */
+  faceFrames(complex: string): Float64Array;
+  /** At `points`, two or three coordinates each. The last complex is kept, so that asking about it again is fast. */
   featureSizes(complex: string, points: Float64Array): FeatureSizesAnswer;
+  /** Of pieces of input segments: the coordinates of their two ends, one after the other. The last complex is kept here, too. */
+  subsegmentSizes(complex: string, ends: Float64Array): SubsegmentSizesAnswer;
   /** Starts a run with a recording sink; `complex` and `options` are JSON. */
   start(
     complex: string,
@@ -294,6 +318,8 @@ export interface CircumballModule {
   advance(run: number, iterations: number, seconds: number): Progress;
   cancel(run: number): Progress;
   takeTrace(run: number): TraceChunk;
+  /** The complex that a run refines, the box about it included, as JSON; empty if there is no such run. */
+  runComplex(run: number): string;
   mesh(run: number): MeshArrays | null;
   /** The report; `verify` runs the checks that the algorithm promises. */
   report(run: number, verify: boolean): Report | null;

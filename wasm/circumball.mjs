@@ -62,7 +62,9 @@ export default async function createCircumball(options = {}) {
     },
     check: (complex) => JSON.parse(core.check(complex)),
     faceTriangles: (complex) => core.faceTriangles(complex),
+    faceFrames: (complex) => core.faceFrames(complex),
     featureSizes: (complex, points) => core.featureSizes(complex, points),
+    subsegmentSizes: (complex, ends) => core.subsegmentSizes(complex, ends),
     start(complex, runOptions) {
       const answer = core.start(complex, runOptions);
       return { ...answer, defects: JSON.parse(answer.defects) };
@@ -70,6 +72,7 @@ export default async function createCircumball(options = {}) {
     advance: (run, iterations, seconds) => core.advance(run, iterations, seconds),
     cancel: (run) => core.cancel(run),
     takeTrace: (run) => core.takeTrace(run),
+    runComplex: (run) => core.runComplex(run),
     mesh: (run) => core.mesh(run),
     report: (run, verify) => JSON.parse(core.report(run, verify)),
     write: (run, extension) => core.write(run, extension),

@@ -179,6 +179,120 @@ describe('featureSizes', () => {
   });
 });
 
+/** The unit square in space, and a vertex half above its middle. */
+const plate = JSON.stringify({
+  circumball: 1,
+  dimension: 3,
+  vertices: [
+    [0, 0, 0],
+    [1, 0, 0],
+    [1, 1, 0],
+    [0, 1, 0],
+    [0.5, 0.5, 0.5],
+  ],
+  segments: [
+    [0, 1],
+    [1, 2],
+    [2, 3],
+    [3, 0],
+  ],
+  faces: [{ loops: [[0, 1, 2, 3]] }],
+});
+
+describe('featureSizes in space', () => {
+  it('knows faces as witnesses', () => {
+    const answer = core.featureSizes(plate, new Float64Array([0.5, 0.5, 0.25]));
+    expectDeclared('featureSizes', answer);
+    expect([answer.error, ...answer.lfs, ...answer.mfs]).toEqual(['', 0.25, 0.25]);
+    const witnesses = [...answer.witnesses];
+    const found = [witnesses.slice(0, 2), witnesses.slice(2)].sort();
+    expect(found).toEqual([
+      [0, 4],
+      [2, 0],
+    ]);
+    expect(answer.at).toHaveLength(6);
+  });
+});
+
+describe('subsegmentSizes', () => {
+  it('gives fs_1, lfs_1 and lfs of pieces of segments with where they are attained', () => {
+    const ends = new Float64Array([0, 0, 0, 0.25, 0, 0, 0.25, 0, 0, 0.75, 0, 0]);
+    const answer = core.subsegmentSizes(plate, ends);
+    expectDeclared('subsegmentSizes', answer);
+    expect(answer.error).toBe('');
+    const { fs1, lfs1, lfs } = answer;
+    // The end segment: nearest to two disjoint features where it is nearest to the vertex above.
+    expect(fs1.radius[0]).toBe(lfs1.radius[0]);
+    expect(fs1.radius[0]).toBeCloseTo(Math.hypot(0.25, 0.5, 0.5), 12);
+    expect([...fs1.center.slice(0, 3)]).toEqual([0.25, 0, 0]);
+    // Inside of the segment mfs_1 counts its own ends and sides beside it: the segment itself and an end.
+    expect(fs1.radius[1]).toBeCloseTo(0.25, 12);
+    expect(lfs1.radius[1]).toBeCloseTo(0.5, 12); // the two ends of the segment
+    expect(lfs.radius[1]).toBeCloseTo(0.5, 12);
+    expect(lfs.center[3]).toBeCloseTo(0.5, 12);
+    for (const balls of [fs1, lfs1, lfs]) {
+      for (const k of [0, 1]) {
+        const center = balls.center.slice(3 * k, 3 * k + 3);
+        for (const w of [0, 1]) {
+          const at = balls.at.slice(6 * k + 3 * w, 6 * k + 3 * w + 3);
+          const far = Math.hypot(...[...at].map((x, i) => x - center[i]!));
+          expect(far).toBeLessThanOrEqual(balls.radius[k]! * (1 + 1e-12));
+        }
+      }
+    }
+  });
+
+  it('answers in the plane, and what is no valid complex with a sentence', () => {
+    const plane = core.subsegmentSizes(squareText, new Float64Array([0.25, 0, 0.75, 0]));
+    expectDeclared('subsegmentSizes', plane);
+    expect([...plane.fs1.radius]).toEqual([0.25]);
+    for (const text of ['', 'nonsense', crossing]) {
+      const answer = core.subsegmentSizes(text, new Float64Array(6));
+      expectDeclared('subsegmentSizes', answer);
+      expect([answer.ok, answer.lfs.radius.length]).toEqual([false, 0]);
+      expect(answer.error).not.toBe('');
+    }
+  });
+});
+
+describe('faceFrames', () => {
+  it('gives an orthonormal frame a face, in which the face is flat', () => {
+    const frames = core.faceFrames(plate);
+    expectDeclared('faceFrames', frames);
+    const [origin, first, second, normal] = [0, 3, 6, 9].map((k) => [...frames.slice(k, k + 3)]);
+    expect(origin).toEqual([0, 0, 0]);
+    expect([first, second, normal]).toEqual([
+      [1, 0, 0],
+      [0, 1, 0],
+      [0, 0, 1],
+    ]);
+  });
+
+  it('says that a face has none, and answers what is no complex with nothing', () => {
+    const flat = { ...JSON.parse(plate), faces: [{ loops: [[0, 1]] }] };
+    expect(core.faceFrames(JSON.stringify(flat))).toHaveLength(12);
+    expect(core.faceFrames(JSON.stringify(flat))[0]).toBeNaN();
+    expect(core.faceFrames(squareText)).toHaveLength(0);
+    expect(core.faceFrames('nonsense')).toHaveLength(0);
+    expect(core.faceFrames(plate.replace('[0,1,2,3]', '[0,1,99]'))).toHaveLength(0);
+  });
+});
+
+describe('runComplex', () => {
+  it('has the box with its edges and faces', () => {
+    const { run } = core.start(plate, '{"algorithm":"feature-size","domain":"box"}');
+    const text = core.runComplex(run);
+    expectDeclared('runComplex', text);
+    const complex = JSON.parse(text);
+    expect(complex.vertices).toHaveLength(5 + 8);
+    expect(complex.segments).toHaveLength(4 + 12);
+    expect(complex.faces).toHaveLength(1 + 6);
+    expect(core.faceFrames(text)).toHaveLength(7 * 12);
+    core.release(run);
+    expect(core.runComplex(run)).toBe('');
+  });
+});
+
 describe('a run', () => {
   it('answers a wrong complex with its defects and wrong options with a sentence', () => {
     const invalid = core.start(crossing, '{}');

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -107,6 +108,18 @@ double smallest_angle_degrees(const Complex& complex);
 /// `check`), dimension 2. O(n log n) on ordinary input.
 std::vector<std::array<std::uint32_t, 3>> triangulate_face(const Complex& complex,
                                                            std::uint32_t face);
+
+/// The plane that a face of a 3D complex is triangulated in: an orthonormal frame. A point p of the
+/// face has the coordinates ((p - origin) . first, (p - origin) . second); seen from the tip of the
+/// normal, which is Newell's of the loop of the largest area, the first axis turns to the second
+/// counter-clockwise. Axes of a face parallel to a coordinate plane are coordinate axes.
+struct FaceFrame {
+  Point3 origin, first, second, normal;
+};
+
+/// The frame of a face; none where it has no area, indices are out of range, or dimension is 2.
+/// O(vertices of the face).
+std::optional<FaceFrame> face_frame(const Complex& complex, std::uint32_t face);
 
 /// The complex with a box around it, `scale` times the larger extent of the input and centered on
 /// it: a square of four segments in the plane; a cube of 8 vertices, 12 segments and 6 faces in

@@ -97,4 +97,16 @@ bool FacePlane::contains(const Point2& p) const {
   return true;
 }
 
+std::optional<FaceFrame> face_frame(const Complex& complex, std::uint32_t face) {
+  if (complex.dimension != 3 || face >= complex.faces.size()) return std::nullopt;
+  for (const auto& loop : complex.faces[face].loops) {
+    for (const std::uint32_t v : loop) {
+      if (v >= complex.vertices.size()) return std::nullopt;
+    }
+  }
+  const FacePlane plane(complex, face);
+  if (!plane.valid()) return std::nullopt;
+  return FaceFrame{plane.origin(), plane.first(), plane.second(), plane.normal()};
+}
+
 }  // namespace circumball

@@ -2,6 +2,7 @@
 #define CIRCUMBALL_COMPLEX_FACE_PLANE_H_
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "circumball/complex.h"
@@ -24,6 +25,8 @@ class FacePlane {
   bool valid() const { return valid_; }
   const Point3& origin() const { return origin_; }
   const Point3& normal() const { return normal_; }  ///< unit; counter-clockwise about it
+  const Point3& first() const { return first_; }    ///< unit axes of the plane
+  const Point3& second() const { return second_; }
   /// Coordinates of the projection of p onto the plane: within a few ulp of |p - origin|.
   Point2 to_plane(const Point3& p) const {
     const double x = p.x - origin_.x, y = p.y - origin_.y, z = p.z - origin_.z;
