@@ -77,6 +77,51 @@ export const texts = {
     close: 'Close, back to the drawing',
     noAlgorithm: 'This version has no algorithm for space.',
   },
+  /** Feature sizes of a subsegment in space. */
+  sizes: {
+    length: '|s|',
+    kind: 'kind',
+    end: 'end segment',
+    inner: 'non-end segment',
+    fs1: 'fs₁(s)',
+    lfs1: 'lfs₁(s)',
+    lfs: 'lfs(s)',
+    ratio: (name: string) => `|s| / ${name}`,
+    between: (a: string, b: string) => `${a} and ${b}`,
+    feature: (kind: 'vertex' | 'segment' | 'face', index: number) => `${kind} ${index}`,
+    none: 'no two such features',
+    witnesses: 'witnesses',
+    draw: 'Spheres',
+    drawn: { fs1: 'fs₁', lfs: 'lfs', both: 'both' },
+    measuring: 'measuring …',
+    bounds: 'What is proved at this moment',
+    noBounds: 'Of this moment chapter 4 says nothing about |s|; go to the end of a step.',
+    gone: 'This subsegment is not in the mesh at this moment.',
+    ofBound: (percent: string) => `|s| is ${percent} of it`,
+  },
+  /** One face alone in its own plane. */
+  face: {
+    show: 'One face in its own plane',
+    showThis: 'Show this face in its own plane',
+    showOf: (f: number) => `Face ${f} in its plane`,
+    title: (f: number) => `Face ${f}`,
+    number: 'Number of the face',
+    of: (n: number) => `of ${formatCount(n)}`,
+    next: 'Next face',
+    previous: 'Previous face',
+    follow: 'Follow',
+    followHint: 'Goes with the face in which something happens.',
+    close: 'Close the face',
+    fit: 'Fit the face to its picture',
+    label: (f: number) => `Face ${f} in its own plane. Arrow keys step, plus and minus zoom.`,
+    counts: (vertices: number, triangles: number) =>
+      `${formatCount(vertices)} vertices, ${formatCount(triangles)} triangles`,
+    elsewhere: (f: number) => `Now in face ${f}`,
+    outsider: (v: number, height: string, above: boolean) =>
+      `${v}: ${height} ${above ? 'before' : 'behind'} the face`,
+    none: 'This face has no plane.',
+    needsRun: 'Refine the input to see the triangulation of the face.',
+  },
   panel: {
     title: 'Details',
     now: 'Now',
@@ -253,6 +298,10 @@ export const texts = {
     unbounded: (theorem: string, symbol: string) =>
       `${theorem}: at most some ${symbol} that depends on the input angles and the parameters alone.`,
     ancestry: 'Ancestry',
+    nearestIn: (v: number) => `N(q), to vertex ${v}`,
+    step: 'step',
+    parent: 'split',
+    ancestryHint3: 'Each vertex and the witness that made it necessary, back to the input.',
     ancestryHint:
       'Each vertex and the one that made it necessary (the cases of the proof of Theorem 2.2).',
     isInput: 'A vertex of the input: the chain ends here.',
@@ -267,6 +316,10 @@ export const texts = {
         `splits ${split}, upon which vertex ${v} encroached`,
       yielded: (triangle: string, edge: string, v: number) =>
         `the circumcenter of ${triangle} yielded to it; its shortest edge ${edge} has vertex ${v} as the younger end`,
+      nearer: (split: string, v: number) =>
+        `splits ${split}: its witness, vertex ${v}, is nearer to an end of it or of its spindle than its length`,
+      outside: (split: string, v: number) =>
+        `splits ${split}: vertex ${v}, outside of that face, is nearer to a corner of it than twice its circumradius`,
       missing: (split: string, v: number) =>
         `splits ${split}, which was no edge; vertex ${v} is its younger end`,
       triangle: (triangle: string, edge: string, v: number) =>

@@ -337,6 +337,21 @@ function explode(): void {
   app.look.set(shrink > 0 ? { shrink: 0 } : { shrink: 0.45, cells: true });
 }
 
+const hasFaces = () => app.inSpace && !app.comparing && app.face.count > 0;
+
+/** The face that is picked or in which something happens, else the one that was shown last. */
+function toggleFace(): void {
+  const { face, first } = app;
+  if (face.open) {
+    face.close();
+    return;
+  }
+  const { moment } = first.playback;
+  const acting = moment?.dimension === 3 ? moment.face : null;
+  const asked = first.spacePicked?.face ?? acting ?? face.index;
+  face.show(asked < face.count ? asked : 0);
+}
+
 const space: Action[] = [
   ...spaceView.map(
     (name, i): Action => ({
@@ -410,6 +425,31 @@ const space: Action[] = [
     enabled: inSpace,
     pressed: () => app.look.look.clip !== null,
     perform: toggleClip,
+  },
+  {
+    id: 'face',
+    title: texts.face.show,
+    group: 'Space',
+    keys: ['a'],
+    enabled: hasFaces,
+    pressed: () => app.face.open,
+    perform: toggleFace,
+  },
+  {
+    id: 'face-next',
+    title: texts.face.next,
+    group: 'Space',
+    keys: ['n'],
+    enabled: () => hasFaces() && app.face.open,
+    perform: () => app.face.go(1),
+  },
+  {
+    id: 'face-previous',
+    title: texts.face.previous,
+    group: 'Space',
+    keys: ['Shift+N'],
+    enabled: () => hasFaces() && app.face.open,
+    perform: () => app.face.go(-1),
   },
   {
     id: 'clip-forward',

@@ -10,6 +10,7 @@ import type {
   Progress,
   ReadAnswer,
   Report,
+  SubsegmentSizesAnswer,
   TraceChunk,
 } from 'circumball';
 import * as Comlink from 'comlink';
@@ -59,8 +60,16 @@ export class CoreClient {
     return this.call((core) => core.faceTriangles(complex));
   }
 
+  async faceFrames(complex: string): Promise<Float64Array> {
+    return this.call((core) => core.faceFrames(complex));
+  }
+
   async featureSizes(complex: string, points: Float64Array): Promise<FeatureSizesAnswer> {
     return this.call((core) => core.featureSizes(complex, points));
+  }
+
+  async subsegmentSizes(complex: string, ends: Float64Array): Promise<SubsegmentSizesAnswer> {
+    return this.call((core) => core.subsegmentSizes(complex, ends));
   }
 
   async start(complex: string, options: string): Promise<StartAnswer> {
@@ -96,6 +105,11 @@ export class CoreClient {
     } finally {
       clearTimeout(deadline);
     }
+  }
+
+  /** What the run refines: the input, and the box about it if there is one. Empty if there is no run. */
+  async runComplex(): Promise<string> {
+    return this.call((core) => core.runComplex());
   }
 
   async report(verify: boolean): Promise<Report | null> {

@@ -14,6 +14,7 @@ import createCircumball, {
   type Progress,
   type ReadAnswer,
   type Report,
+  type SubsegmentSizesAnswer,
   type TraceChunk,
 } from 'circumball';
 import * as Comlink from 'comlink';
@@ -91,6 +92,14 @@ const api = {
     return core.featureSizes(complex, points);
   },
 
+  faceFrames(complex: string): Float64Array {
+    return core.faceFrames(complex);
+  },
+
+  subsegmentSizes(complex: string, ends: Float64Array): SubsegmentSizesAnswer {
+    return core.subsegmentSizes(complex, ends);
+  },
+
   start(complex: string, options: string): StartAnswer {
     if (run !== null) core.release(run);
     run = null;
@@ -120,6 +129,10 @@ const api = {
 
   stop(): void {
     stopping = true;
+  },
+
+  runComplex(): string {
+    return run === null ? '' : core.runComplex(run);
   },
 
   report(verify: boolean): Report | null {

@@ -1,8 +1,9 @@
 import type { AncestryLink } from '../shared/overlay-facts.ts';
 import { Kind, NONE, Reason, type TraceEvent } from './event.ts';
 import { distance, point } from './geometry.ts';
+import { distance3, point3 } from './geometry3.ts';
 import { GrowU32 } from './grow.ts';
-import { canonical } from './lives.ts';
+import { ascending, canonical, type Record4 } from './lives.ts';
 import type { Protection } from './protection.ts';
 import { SimplexTable } from './simplex-table.ts';
 import type { Trace } from './trace.ts';
@@ -26,6 +27,8 @@ export type Cause =
       readonly triangle: readonly number[];
       readonly edge: readonly [number, number];
     }
+  /** In space (chapter 4): a witness was too near to an end of the subsegment, or a vertex to a corner of a face's triangle. */
+  | { readonly kind: 'nearer'; readonly parent: number; readonly split: readonly number[] }
   /** The subsegment was no edge of the triangulation: the younger of its ends. */
   | { readonly kind: 'missing'; readonly parent: number; readonly split: readonly number[] }
   /** Case 2: the younger vertex of the shortest edge of the triangle that was split. */
@@ -67,12 +70,14 @@ export class Ancestry {
       case Reason.circle:
         return { kind: 'protection', parent: this.protection.centerOf(v) };
     }
-    if (birth.dimension === 2) {
+    const index = this.queuedBy.at(v);
+    const queued = index === NONE ? null : trace.event(index);
+    if (trace.dimension === 3 && queued?.reason === Reason.witness && queued.subject !== NONE)
+      return { kind: 'nearer', parent: queued.subject, split: birth.simplex };
+    if (birth.dimension >= 2) {
       const edge = this.shortestEdge(birth.simplex);
       return { kind: 'triangle', parent: edge[1], triangle: birth.simplex, edge };
     }
-    const index = this.queuedBy.at(v);
-    const queued = index === NONE ? null : trace.event(index);
     if (queued?.reason === Reason.yieldedTo && index > 0) {
       // The loop records who yielded right before it queues what was yielded to.
       const proposer = trace.event(index - 1);
@@ -106,13 +111,13 @@ export class Ancestry {
       const kind = trace.kind(this.next);
       if (kind !== Kind.queued && kind !== Kind.inserted) continue;
       const e = trace.event(this.next);
-      const [a, b, c] = key(e);
+      const [a, b, c, d] = key(e);
       if (kind === Kind.inserted) {
         while (this.queuedBy.length <= e.subject) this.queuedBy.push(NONE);
-        const index = e.dimension > 0 ? this.latest.take(a, b, c) : -1;
+        const index = e.dimension > 0 ? this.latest.take(a, b, c, d) : -1;
         if (index >= 0) this.queuedBy.data[e.subject] = index;
       } else if (e.reason !== Reason.returned) {
-        this.latest.set(a, b, c, this.next);
+        this.latest.set4(a, b, c, d, this.next);
       }
     }
   }
@@ -124,25 +129,30 @@ export class Ancestry {
     return born.at(a) <= born.at(b) ? [a, b] : [b, a];
   }
 
-  private shortestEdge(triangle: readonly number[]): [number, number] {
-    const xy = this.trace.coordinates.data;
-    const [a, b, c] = triangle as readonly [number, number, number];
-    const edges: [number, number][] = [
-      [a, b],
-      [b, c],
-      [c, a],
-    ];
-    const length = ([p, q]: [number, number]) => distance(point(xy, p), point(xy, q));
+  private shortestEdge(simplex: readonly number[]): [number, number] {
+    const { coordinates, dimension } = this.trace;
+    const xyz = coordinates.data;
+    const length = ([p, q]: readonly [number, number]) =>
+      dimension === 3
+        ? distance3(point3(xyz, p), point3(xyz, q))
+        : distance(point(xyz, p), point(xyz, q));
+    // Sides of a triangle in their order: of two that are equally long the first is meant.
+    const edges: [number, number][] = simplex.flatMap((a, i) =>
+      simplex.slice(i + 1).map((b): [number, number] => [a, b]),
+    );
+    if (edges.length === 3) edges.splice(1, 2, edges[2]!, edges[1]!);
     edges.sort((e, f) => length(e) - length(f));
     return this.byAge(edges[0]!);
   }
 }
 
-function key(e: TraceEvent): [number, number, number] {
-  const [a, b, c] = e.simplex;
-  if (e.simplex.length === 3) return canonical(a!, b!, c!);
-  if (e.simplex.length < 2) return [NONE, NONE, NONE];
-  return [Math.min(a!, b!), Math.max(a!, b!), NONE];
+/** One name for a simplex, whatever the order in which events give its vertices. */
+function key(e: TraceEvent): Record4 {
+  const [a, b, c, d] = e.simplex;
+  if (e.simplex.length === 4) return ascending(a!, b!, c!, d!);
+  if (e.simplex.length === 3) return [...canonical(a!, b!, c!), NONE];
+  if (e.simplex.length < 2) return [NONE, NONE, NONE, NONE];
+  return [Math.min(a!, b!), Math.max(a!, b!), NONE, NONE];
 }
 
 function hasWitness(e: TraceEvent): boolean {

@@ -1,5 +1,6 @@
 import type { MeshState } from '../shared/types.ts';
 import { distance, point } from './geometry.ts';
+import { distance3, point3 } from './geometry3.ts';
 
 /**
  * N(q) of the first `count` vertices at the moment of a state: the distance to the nearest other vertex, which in a Delaunay
@@ -45,6 +46,18 @@ export function nearestNeighbor(state: MeshState, v: number): number {
   }
   if (state.liveCellCount === 0) {
     for (let w = 0; w < state.vertexCount; w++) if (state.vertexBorn[w]! < state.position) look(w);
+  }
+  return nearest;
+}
+
+/** N(q) of one vertex in space, and the vertex that is so near; infinite and -1 for one that is alone. O(n). */
+export function nearestInSpace(state: MeshState, v: number): { distance: number; vertex: number } {
+  const at = point3(state.coordinates, v);
+  let nearest = { distance: Number.POSITIVE_INFINITY, vertex: -1 };
+  for (let w = 0; w < state.vertexCount; w++) {
+    if (w === v || !(state.vertexBorn[w]! < state.position)) continue;
+    const d = distance3(at, point3(state.coordinates, w));
+    if (d < nearest.distance) nearest = { distance: d, vertex: w };
   }
   return nearest;
 }

@@ -4,7 +4,7 @@
  * show two runs. Vertices by number as in the mesh; coordinates where no vertex is.
  */
 
-import type { Point } from './types';
+import type { Point, Point3 } from './types';
 
 /** lfs on a lattice over the view: value (i, j) belongs to the point (x + i step, y + j step). */
 export interface FeatureField {
@@ -29,6 +29,19 @@ export interface FeatureBall {
   readonly center: Point;
   readonly radius: number; // lfs; infinite if no two features are disjoint
   readonly witnesses: readonly Witness[]; // two, or none
+}
+
+/** The same in space, of a subsegment: about the point of it where the infimum is attained. */
+export interface FeatureBall3 {
+  readonly radius: number; // infinite if there are no two such features
+  readonly center: Point3;
+  readonly witnesses: readonly Witness3[]; // two, nearer first, or none
+}
+
+export interface Witness3 {
+  readonly kind: 'vertex' | 'segment' | 'face';
+  readonly index: number; // of the complex that the run refines
+  readonly at: Point3; // its point nearest to the center
 }
 
 /** N and lfs at an input vertex, in world units; lfs NaN while it is not known. */

@@ -7,14 +7,16 @@ import { point } from '../replay/geometry.ts';
 import { centroid, point3 } from '../replay/geometry3.ts';
 import { refinedComplex } from '../replay/refined-complex.ts';
 import { emptyComplex, type Input, type Point, type Point3, type View } from '../shared/types.ts';
-import type { SpaceHit, SpaceView } from '../space/types.ts';
+import { noHit, type SpaceHit, type SpaceView } from '../space/types.ts';
 import { texts } from '../texts.ts';
 import { asSentence, formatNumber } from '../words.ts';
 import { Comparison } from './comparison.svelte.ts';
 import { DocumentStore } from './document.svelte.ts';
+import { FaceStore } from './face.svelte.ts';
 import { FeatureStore } from './features.svelte.ts';
 import { type FamilyChoice, NumericsStore } from './numerics.svelte.ts';
 import { Pane } from './pane.svelte.ts';
+import { SegmentStore } from './segment.svelte.ts';
 import { Settings } from './settings.svelte.ts';
 import { SpaceSettings } from './space.svelte.ts';
 import { TriangleStore } from './triangle.svelte.ts';
@@ -42,6 +44,8 @@ export class App {
     (loss) => this.coreLost(loss),
   );
 
+  readonly face = new FaceStore(this.core, () => this.first);
+  readonly segment = new SegmentStore(this.core, () => this.first);
   readonly numerics = new NumericsStore((loss) => this.coreLost(loss));
   readonly triangle = new TriangleStore((loss) => this.coreLost(loss));
 
@@ -336,6 +340,12 @@ export class App {
       ? lockstep?.tickOf(this.pane === this.first ? 0 : 1, position)
       : null;
     this.clock.seek(tick ?? position);
+  }
+
+  /** A vertex of the run in the panel, in whichever picture there is. */
+  pickVertex(vertex: number): void {
+    if (this.inSpace) this.pane.spacePicked = { ...noHit, vertex };
+    else this.picked = { vertex, subsegment: null, triangle: null, hole: null, region: null };
   }
 
   /** Keeps the ball at a place of the picture: at the vertex, if one was hit. */

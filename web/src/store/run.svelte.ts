@@ -1,8 +1,8 @@
 import type { Defect, Progress, Report, RunOptions } from 'circumball';
 import { type CoreClient, CoreLost } from '../core/client.ts';
-import { complexToText } from '../core/complex-json.ts';
+import { complexToText, inputFromJson } from '../core/complex-json.ts';
 import { Trace } from '../replay/trace.ts';
-import { type Input, isSpace } from '../shared/types.ts';
+import { type Complex3, type Input, isSpace } from '../shared/types.ts';
 
 export type RunPhase =
   | 'none'
@@ -28,6 +28,8 @@ export class RunStore {
   /** What the run was started with, and what the core made of it. */
   options = $state.raw<RunOptions>({});
   complex = $state.raw<Input | null>(null);
+  /** What a run in space refines: the input, and the box about it if there is one. */
+  refined = $state.raw<Complex3 | null>(null);
   algorithm = $state('');
   tau = $state(0);
   domain = $state('');
@@ -69,6 +71,11 @@ export class RunStore {
       this.trace = trace;
       this.phase = 'running';
       onTrace();
+      if (isSpace(complex)) {
+        const refined = answer.domain === 'box' ? await this.core.runComplex() : '';
+        if (!isCurrent()) return;
+        this.refined = refined ? (inputFromJson(JSON.parse(refined)) as Complex3) : complex;
+      }
       const last = await this.core.work((chunk, progress) => {
         if (!isCurrent()) return;
         trace.append(chunk.events, chunk.simplices, chunk.steps);
@@ -124,5 +131,6 @@ export class RunStore {
     this.error = '';
     this.defects = [];
     this.complex = null;
+    this.refined = null;
   }
 }

@@ -28,6 +28,8 @@ export const icons = {
   check: 'M5 12.5 10 17.5 19.5 7',
   warning: 'M12 4 2.8 19.5h18.4zM12 10v4.5M12 17v.1',
   copy: 'M9 9h11v11H9zM5 15H4V4h11v1',
+  left: 'M15 6l-6 6 6 6',
+  right: 'M9 6l6 6-6 6',
   up: 'M6 15l6-6 6 6',
   down: 'M6 9l6 6 6-6',
   layers: 'M12 4 3 9l9 5 9-5zM3 14l9 5 9-5',
@@ -37,6 +39,7 @@ export const icons = {
   cubeTop: 'M4 9h11v11H4zM4 9l5-5h11l-5 5M20 4v11l-5 5M10 6.5h5',
   faces: 'M4 7l9-3.5v13L4 20zM13 8l7-2.5v11L13 19',
   cells: 'M12 3.5 20.5 18 3.5 18zM12 3.5 10 20.5M3.5 18l6.5 2.5L20.5 18',
+  face: 'M4 5.5 20 4v13l-16 3zM4 5.5 20 17M4 20l9-8',
   clip: 'M7 4.5v15L17 15V4.5zM3.5 12H7M17 10h3.5',
   explode:
     'M10.5 10.5 5 5M5 9V5h4M13.5 10.5 19 5M15 5h4v4M10.5 13.5 5 19M5 15v4h4M13.5 13.5 19 19M19 15v4h-4',

@@ -30,7 +30,7 @@ export function featuresOf(trace: Trace, protection: Protection, v: number): str
 }
 
 /** Why a vertex was inserted, in the words of the proof. */
-export function causeText(cause: Cause, splitSegment: number): string {
+export function causeText(cause: Cause, splitSegment: number, face = NONE): string {
   const edge = (e: readonly number[]) => e.join('–');
   switch (cause.kind) {
     case 'input':
@@ -43,6 +43,11 @@ export function causeText(cause: Cause, splitSegment: number): string {
       return t.causes.protection(cause.parent);
     case 'encroached':
       return t.causes.encroached(simplexName(cause.split, splitSegment), cause.parent);
+    case 'nearer': {
+      const split = simplexName(cause.split, splitSegment, face);
+      const say = cause.split.length === 2 ? t.causes.nearer : t.causes.outside;
+      return say(split, cause.parent);
+    }
     case 'missing':
       return t.causes.missing(simplexName(cause.split, splitSegment), cause.parent);
     case 'yielded':

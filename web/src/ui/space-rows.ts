@@ -1,4 +1,5 @@
 import { NONE } from '../replay/event.ts';
+import { sidesOf } from '../replay/face-replay.ts';
 import { circumball, distance3, point3, shortestEdge } from '../replay/geometry3.ts';
 import { measureTetrahedron } from '../replay/measure.ts';
 import type { Trace } from '../replay/trace.ts';
@@ -137,4 +138,29 @@ function faceRows(f: number, complex: Complex3): Row[] {
   if (face.vertices.length > 0) rows.push(['vertices in it', String(face.vertices.length)]);
   if (face.holes.length > 0) rows.push(['holes', String(face.holes.length)]);
   return rows;
+}
+
+/** The faces that what is picked lies in. */
+export function facesAt(hit: SpaceHit, complex: Complex3, trace: Trace | null): number[] {
+  if (hit.face !== null) return [hit.face];
+  if (!trace) return [];
+  const { vertex: v, subsegment: n } = hit;
+  if (n !== null && n < trace.subsegmentCount)
+    return facesOfSegment(trace.subsegments.at(3 * n + 2), complex);
+  if (v === null || v >= trace.vertexCount || trace.vertexBorn.at(v) === NONE) return [];
+  const birth = trace.event(trace.vertexBorn.at(v));
+  if (birth.dimension === 1) return facesOfSegment(birth.segment, complex);
+  if (birth.face !== NONE) return [birth.face];
+  return complex.faces.flatMap((f, i) =>
+    f.vertices.includes(v) || f.loops.some((loop) => loop.includes(v)) ? [i] : [],
+  );
+}
+
+function facesOfSegment(s: number, complex: Complex3): number[] {
+  const [a, b] = complex.segments[s] ?? [NONE, NONE];
+  return complex.faces.flatMap((f, i) => {
+    if (f.segments.includes(s)) return [i];
+    for (const [p, q] of sidesOf(f)) if ((p === a && q === b) || (p === b && q === a)) return [i];
+    return [];
+  });
 }

@@ -1,8 +1,8 @@
-/** A small atlas of the characters that numbers are written with. */
+/** A small atlas of the characters that numbers and the names of feature sizes are written with. */
 
 import { CanvasTexture, LinearFilter, LinearMipmapLinearFilter, NoColorSpace } from 'three';
 
-const characters = '0123456789.-+×eE/ abcdfnps°';
+const characters = '0123456789.-+×eE/ abcdflnps°₁';
 const cell = 64;
 const columns = 8;
 const fontSize = 40;
