@@ -34,11 +34,12 @@ struct ReportOptions {
 std::string report_json(const Run& run, const Complex& input, const Mesh& mesh,
                         const std::vector<Check>& checks, const ReportOptions& options = {});
 
-/// The estimates of a run of `feature-size`, as comma-separated values with a line of names. In space
-/// one line for every subsegment: its input segment, its ends, its length |s|, and what Theorem 4.2
-/// says of it, fs_1(s) >= |s| / sqrt 2 and lfs(s) >= 3/5 |s| (by Theorem 4.1 also fs_1(s) <= 16 |s|
-/// or lfs(s) <= 4 |s|). In the plane one for every input vertex: N(q0), and N(q0) / sqrt 2 <=
-/// lfs(q0) <= 2 N(q0) (Theorems 3.2 and 3.3). Lower bounds are empty unless the run is complete.
+/// The estimates of a run of `feature-size`, as comma-separated values with a line of names. In
+/// space one line for every subsegment: its input segment, its ends, its length |s|, and what
+/// Theorem 4.2 says of it, fs_1(s) >= |s| / sqrt 2 and lfs(s) >= 3/5 |s| (by Theorem 4.1 also
+/// fs_1(s) <= 16 |s| or lfs(s) <= 4 |s|). In the plane one for every input vertex: N(q0), and N(q0)
+/// / sqrt 2 <= lfs(q0) <= 2 N(q0) (Theorems 3.2 and 3.3). Lower bounds are empty unless the run is
+/// complete.
 std::string size_table(const Run& run, const Mesh& mesh);
 
 /// "complete", "limit", "cancelled" or "running"; "hull", "box", "closed" or "default".
