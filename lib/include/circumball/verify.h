@@ -54,12 +54,23 @@ struct Check {
 /// brute force), "nearest-neighbor-lower" (Theorem 3.2: 1/2 lfs(q0) <= N(q0)), "grading" (the
 /// constant C of lfs(q) <= C r_q over the Steiner vertices, as observed: Theorems 2.2, 5.6 and 5.10
 /// give no number to check; vertices are taken to be numbered by birth).
+///
+/// In space: "topology" (at most two cells at a facet, links of inner vertices are spheres),
+/// "delaunay" (every facet locally Delaunay, and with it all of it; for hull and box the cells also
+/// tile the convex hull), "input-vertices", "input-segments", "input-faces" (every input face is a
+/// union of facets of the mesh on each of its sides, counted combinatorially), "volume" (volumes of
+/// the cells add up to what their boundary encloses, and for box to the box), "radius-edge",
+/// "segment-lower" (Theorem 4.1: min(fs_1(s)/16, lfs(s)/4) <= |s| for every subsegment s) and
+/// "segment-upper" (Theorem 4.2: |s| <= min(sqrt 2 fs_1(s), 5/3 lfs(s))), feature sizes by
+/// definition.
 std::vector<Check> verify(const Mesh& mesh, const Complex& complex, const VerifyOptions& options);
 
 /// Measures of a mesh, for the report.
 struct Quality {
-  double min_angle_degrees = 0, max_angle_degrees = 0, max_radius_edge = 0, shortest_edge = 0;
-  double area = 0;
+  double min_angle_degrees = 0, max_angle_degrees = 0;        ///< in the plane
+  double min_dihedral_degrees = 0, max_dihedral_degrees = 0;  ///< in space
+  double max_radius_edge = 0, shortest_edge = 0;
+  double area = 0, volume = 0;  ///< of all cells, in the plane and in space
 };
 Quality measure(const Mesh& mesh);
 

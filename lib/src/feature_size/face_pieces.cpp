@@ -9,8 +9,6 @@
 namespace circumball {
 namespace {
 
-using Triangle = std::array<Point3, 3>;
-
 /// The projection along the axis that is nearest to the normal: coordinates stay exact.
 class Flattened {
  public:
@@ -22,8 +20,8 @@ class Flattened {
       Point3 area;
       for (std::size_t k = 1; k + 1 < loop.size(); ++k) {
         const Point3& o = complex.vertices[loop[0]];
-        area = along(area, 1,
-                     cross(complex.vertices[loop[k]] - o, complex.vertices[loop[k + 1]] - o));
+        area =
+            along(area, 1, cross(complex.vertices[loop[k]] - o, complex.vertices[loop[k + 1]] - o));
       }
       if (!(dot(area, area) > largest2)) continue;
       largest2 = dot(area, area);
@@ -97,9 +95,9 @@ bool is_convex(const std::vector<Point2>& corners) {
 
 }  // namespace
 
-std::vector<Triangle> face_pieces(const Complex& complex, std::uint32_t face) {
+FacePieces face_pieces(const Complex& complex, std::uint32_t face) {
   const Face& f = complex.faces[face];
-  std::vector<Triangle> pieces;
+  FacePieces pieces;
   if (!in_range(complex, f)) return pieces;
   const Flattened flat(complex, f);
   if (!flat.valid()) return pieces;
@@ -107,29 +105,31 @@ std::vector<Triangle> face_pieces(const Complex& complex, std::uint32_t face) {
   std::vector<Side> sides;
   std::vector<double> levels;
   std::vector<Point2> corners;
-  std::size_t loops = 0, fan = 0;
-  for (std::size_t l = 0; l < f.loops.size(); ++l) {
+  std::vector<std::uint32_t> loop_number;  // of those with three corners or more
+  for (std::uint32_t l = 0; l < f.loops.size(); ++l) {
     const auto& loop = f.loops[l];
     if (loop.size() < 3) continue;
+    const std::size_t number = loop_number.size();
+    loop_number.push_back(l);
     corners.clear();
     for (const std::uint32_t v : loop) corners.push_back(flat(complex.vertices[v]));
     for (std::size_t k = 0; k < loop.size(); ++k) {
       const std::size_t next = (k + 1) % loop.size();
       const Side side{corners[k], corners[next], complex.vertices[loop[k]],
-                      complex.vertices[loop[next]], loops};
+                      complex.vertices[loop[next]], number};
       levels.push_back(side.low.y);
       if (side.low.y < side.high.y) sides.push_back(side);
       if (side.low.y > side.high.y)
-        sides.push_back({side.high, side.low, side.to, side.from, loops});
+        sides.push_back({side.high, side.low, side.to, side.from, number});
     }
-    fan = l;
-    ++loops;
   }
+  const std::size_t loops = loop_number.size();
   if (loops == 1 && f.holes.empty() && is_convex(corners)) {
-    const auto& loop = f.loops[fan];
+    const auto& loop = f.loops[loop_number[0]];
+    pieces.bounds = loop_number;
     for (std::size_t k = 1; k + 1 < loop.size(); ++k)
-      pieces.push_back({complex.vertices[loop[0]], complex.vertices[loop[k]],
-                        complex.vertices[loop[k + 1]]});
+      pieces.triangles.push_back(
+          {complex.vertices[loop[0]], complex.vertices[loop[k]], complex.vertices[loop[k + 1]]});
     return pieces;
   }
 
@@ -146,9 +146,10 @@ std::vector<Triangle> face_pieces(const Complex& complex, std::uint32_t face) {
   };
   const auto close = [&](const Trapezoid& t, double high) {
     const Side &left = sides[t.left], &right = sides[t.right];
-    pieces.push_back({left.at(t.low), right.at(t.low), right.at(high)});
-    pieces.push_back({left.at(t.low), right.at(high), left.at(high)});
+    pieces.triangles.push_back({left.at(t.low), right.at(t.low), right.at(high)});
+    pieces.triangles.push_back({left.at(t.low), right.at(high), left.at(high)});
   };
+  std::vector<std::uint8_t> bounds(loops, 0);
   std::vector<Trapezoid> open, still_open;
   std::vector<std::size_t> across;
   for (std::size_t k = 0; k + 1 < levels.size(); ++k) {
@@ -161,11 +162,15 @@ std::vector<Triangle> face_pieces(const Complex& complex, std::uint32_t face) {
       return x != y ? x < y : s < t;
     });
     Signature inside(loops, false);
+    bool in_face = false;
     still_open.clear();
-    for (std::size_t s = 0; s + 1 < across.size(); ++s) {
-      inside[sides[across[s]].loop] = !inside[sides[across[s]].loop];
-      if (inside == outside || std::find(holes.begin(), holes.end(), inside) != holes.end())
-        continue;
+    for (std::size_t s = 0; s < across.size(); ++s) {
+      const std::size_t loop = sides[across[s]].loop;
+      inside[loop] = !inside[loop];
+      const bool was_in_face = in_face;
+      in_face = inside != outside && std::find(holes.begin(), holes.end(), inside) == holes.end();
+      if (in_face != was_in_face) bounds[loop] = 1;
+      if (!in_face || s + 1 == across.size()) continue;
       const auto same = std::find_if(open.begin(), open.end(), [&](const Trapezoid& t) {
         return t.left == across[s] && t.right == across[s + 1];
       });
@@ -176,6 +181,8 @@ std::vector<Triangle> face_pieces(const Complex& complex, std::uint32_t face) {
     open = still_open;
   }
   for (const Trapezoid& t : open) close(t, levels.back());
+  for (std::size_t loop = 0; loop < loops; ++loop)
+    if (bounds[loop]) pieces.bounds.push_back(loop_number[loop]);
   return pieces;
 }
 

@@ -98,7 +98,7 @@ Table::FeatureTable(const Complex& complex, const FeatureSizes3::Filter& filter)
     if (filter && !filter(face)) continue;
     std::vector<std::uint32_t> of_face = vertices_of(complex, complex.faces[f]);
     if (of_face.empty()) continue;
-    for (const auto& corner : face_pieces(complex, f)) {
+    for (const auto& corner : face_pieces(complex, f).triangles) {
       if (!(cross2(corner[1] - corner[0], corner[2] - corner[0]) > 0)) continue;
       features.push_back({corner, 3, face, kNoIndex, kNoIndex});
       boxes.push_back(Box3::of(corner[0], corner[1], corner[2]));

@@ -1,7 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "feature_size/vectors.h"
+#include "quality/chains.h"
 #include "quality/context.h"
+#include "quality/context3.h"
 
 namespace circumball {
 namespace {
@@ -11,15 +14,17 @@ namespace {
 struct Place {
   double along, off;
 };
-Place place(const Point2& a, const Point2& b, const Point2& p) {
-  const double dx = b.x - a.x, dy = b.y - a.y, ux = p.x - a.x, uy = p.y - a.y;
-  const double length2 = dx * dx + dy * dy;
-  return {(ux * dx + uy * dy) / length2, std::fabs(ux * dy - uy * dx) / std::sqrt(length2)};
+template <class Point>
+Place place(const Point& a, const Point& b, const Point& p) {
+  const Point d = b - a, u = p - a;
+  const double length2 = dot(d, d);
+  return {dot(u, d) / length2, std::sqrt(cross2(u, d) / length2)};
 }
 
 }  // namespace
 
-ChainFinder::ChainFinder(const VerifyContext& context) : context_(context) {
+template <class Context>
+ChainFinder<Context>::ChainFinder(const Context& context) : context_(context) {
   const std::size_t n = context.complex.segments.size();
   label_first_.assign(n + 1, 0);
   for (const MeshEdge& e : context.mesh.edges)
@@ -31,7 +36,8 @@ ChainFinder::ChainFinder(const VerifyContext& context) : context_(context) {
     if (context.mesh.edges[i].segment < n) label_edge_[next[context.mesh.edges[i].segment]++] = i;
 }
 
-Chain ChainFinder::find(std::uint32_t segment) const {
+template <class Context>
+Chain ChainFinder<Context>::find(std::uint32_t segment) const {
   Chain chain;
   const auto& s = context_.complex.segments[segment];
   const std::size_t n = context_.complex.vertices.size();
@@ -48,9 +54,11 @@ Chain ChainFinder::find(std::uint32_t segment) const {
                                                            : walk(segment, a, b);
 }
 
-Chain ChainFinder::find_labeled(std::uint32_t segment, std::uint32_t a, std::uint32_t b) const {
+template <class Context>
+Chain ChainFinder<Context>::find_labeled(std::uint32_t segment, std::uint32_t a,
+                                         std::uint32_t b) const {
   const Mesh& mesh = context_.mesh;
-  const Point2 pa = context_.point(a), pb = context_.point(b);
+  const auto pa = context_.point(a), pb = context_.point(b);
   Chain chain;
   chain.labeled = true;
   const auto broken = [&](std::string why, std::vector<std::uint32_t> at) {
@@ -83,7 +91,7 @@ Chain ChainFinder::find_labeled(std::uint32_t segment, std::uint32_t a, std::uin
     const std::uint32_t last = chain.vertices.back();
     if (p.from != last) return broken("it has a gap or an overlap", {last, p.from});
     // Where all vertices are collinear there are no cells, and the edges stand for themselves.
-    if (!context_.cells.empty() && context_.find_edge(p.from, p.to) == kNoIndex)
+    if (!context_.cells.empty() && !context_.has_edge(p.from, p.to))
       return broken("a subsegment of it is not an edge of a cell", {p.from, p.to});
     if (p.to != b && p.to < mesh.vertex_features.size() &&
         !(mesh.vertex_features[p.to] == Feature{FeatureKind::kSegment, segment}))
@@ -94,8 +102,9 @@ Chain ChainFinder::find_labeled(std::uint32_t segment, std::uint32_t a, std::uin
   return chain;
 }
 
-Chain ChainFinder::walk(std::uint32_t, std::uint32_t a, std::uint32_t b) const {
-  const Point2 pa = context_.point(a), pb = context_.point(b);
+template <class Context>
+Chain ChainFinder<Context>::walk(std::uint32_t, std::uint32_t a, std::uint32_t b) const {
+  const auto pa = context_.point(a), pb = context_.point(b);
   Chain chain;
   chain.vertices.push_back(a);
   double along = 0;
@@ -124,5 +133,8 @@ Chain ChainFinder::walk(std::uint32_t, std::uint32_t a, std::uint32_t b) const {
   }
   return chain;
 }
+
+template class ChainFinder<VerifyContext>;
+template class ChainFinder<VerifyContext3>;
 
 }  // namespace circumball

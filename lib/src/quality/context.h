@@ -10,18 +10,10 @@
 #include "circumball/verify.h"
 #include "complex/planar_arrangement.h"
 #include "complex/planar_sweep.h"
+#include "quality/chains.h"
+#include "quality/words.h"
 
 namespace circumball {
-
-/// A vertex counts as on a segment within this, relative to the diameter, where no label says so
-/// (architecture.md, "Numbers").
-constexpr double kOnSegment = 1e-9;
-/// Distances between vertices that were rounded onto segments and circles are held against a bound
-/// with this slack, relative (architecture.md, "Numbers"): where a theorem's bound is attained,
-/// rounding decides.
-constexpr double kRoundedPosition = 1e-10;
-/// Areas agree within this, relative (circumball/verify.h).
-constexpr double kAreaTolerance = 1e-9;
 
 /// What several checks need to know of the mesh and the complex, worked out once. Nothing in it
 /// trusts the mesh: cells that cannot be used are left out, and counted.
@@ -58,6 +50,7 @@ class VerifyContext {
   std::vector<std::uint32_t> edge_first, edge_half;
   /// The half-edges (at most one of each pair of twins) between two vertices, or kNoIndex.
   std::uint32_t find_edge(std::uint32_t a, std::uint32_t b) const;
+  bool has_edge(std::uint32_t a, std::uint32_t b) const { return find_edge(a, b) != kNoIndex; }
   /// Neighbors of a vertex along edges of cells, sorted.
   std::vector<std::uint32_t> neighbor_first, neighbor;
 
@@ -108,41 +101,16 @@ class VerifyContext {
   std::vector<Cell> excused_;
 };
 
-/// The mesh edges that an input segment is made of.
-struct Chain {
-  std::vector<std::uint32_t>
-      vertices;                   ///< from the first to the second end; empty where it is broken
-  bool labeled = false;           ///< from the mesh's own labels; else by distance
-  std::string problem;            ///< why it is broken
-  std::vector<std::uint32_t> at;  ///< mesh vertices where it is broken
-};
-
-/// Walks the segments of a complex along edges of the mesh.
-class ChainFinder {
- public:
-  explicit ChainFinder(const VerifyContext& context);
-  Chain find(std::uint32_t segment) const;
-
- private:
-  Chain find_labeled(std::uint32_t segment, std::uint32_t a, std::uint32_t b) const;
-  Chain walk(std::uint32_t segment, std::uint32_t a, std::uint32_t b) const;
-
-  const VerifyContext& context_;
-  std::vector<std::uint32_t> label_first_, label_edge_;
-};
-
-// Words for the sentences.
-std::string vertices_text(const std::vector<std::uint32_t>& vertices);  ///< "5, 7 and 9"
-std::string count_text(std::size_t n, const char* thing);               ///< "1 cell", "2 cells"
-std::string value_text(double value);                                   ///< six digits
-
 // The checks, one a file.
 Check check_topology(const VerifyContext& context);
 Check check_delaunay(const VerifyContext& context);
-Check check_input_vertices(const VerifyContext& context);
-Check check_input_segments(const VerifyContext& context);
+template <class Context>
+Check check_input_vertices(const Context& context);  // in the plane and in space
+template <class Context>
+Check check_input_segments(const Context& context);
+template <class Context>
+Check check_radius_edge(const Context& context);
 Check check_area(const VerifyContext& context);
-Check check_radius_edge(const VerifyContext& context);
 Check check_min_angle(const VerifyContext& context);
 Check check_size(const VerifyContext& context);
 Check check_nearest_neighbor(const VerifyContext& context);

@@ -1,12 +1,15 @@
+#include "quality/chains.h"
 #include "quality/context.h"
+#include "quality/context3.h"
 
 namespace circumball {
 
-Check check_input_segments(const VerifyContext& context) {
+template <class Context>
+Check check_input_segments(const Context& context) {
   Check check;
   check.name = "input-segments";
   check.bound = 0;
-  const ChainFinder finder(context);
+  const ChainFinder<Context> finder(context);
   std::size_t missing = 0, pieces = 0, labeled = 0, walked = 0, elsewhere = 0;
   for (std::uint32_t s = 0; s < context.complex.segments.size(); ++s) {
     if (!context.segment_wanted[s]) {
@@ -44,5 +47,8 @@ Check check_input_segments(const VerifyContext& context) {
         "; " + std::to_string(elsewhere) + " do not bound the domain, or repeat another";
   return check;
 }
+
+template Check check_input_segments(const VerifyContext&);
+template Check check_input_segments(const VerifyContext3&);
 
 }  // namespace circumball

@@ -1,10 +1,12 @@
 #include <cstring>
 
 #include "quality/context.h"
+#include "quality/context3.h"
 
 namespace circumball {
 
-Check check_input_vertices(const VerifyContext& context) {
+template <class Context>
+Check check_input_vertices(const Context& context) {
   Check check;
   check.name = "input-vertices";
   check.bound = 0;
@@ -19,7 +21,8 @@ Check check_input_vertices(const VerifyContext& context) {
     const Point3& p = context.complex.vertices[i];
     if (context.by_number) {
       const Point3& q = context.mesh.vertices[i];
-      if (!same_bits(p.x, q.x) || !same_bits(p.y, q.y)) {
+      if (!same_bits(p.x, q.x) || !same_bits(p.y, q.y) ||
+          (context.complex.dimension == 3 && !same_bits(p.z, q.z))) {
         fail(i, "has moved");
         continue;
       }
@@ -51,5 +54,8 @@ Check check_input_vertices(const VerifyContext& context) {
   if (elsewhere > 0) check.detail += "; " + std::to_string(elsewhere) + " outside the domain";
   return check;
 }
+
+template Check check_input_vertices(const VerifyContext&);
+template Check check_input_vertices(const VerifyContext3&);
 
 }  // namespace circumball

@@ -6,6 +6,7 @@
 #include "circumball/verify.h"
 #include "complex/product_sum.h"
 #include "predicates/elementary.h"
+#include "quality/measure3.h"
 #include "quality/triangle_measure.h"
 
 namespace circumball {
@@ -69,6 +70,7 @@ AngleRange angles_degrees(const Point2& a, const Point2& b, const Point2& c) {
 }
 
 Quality measure(const Mesh& mesh) {
+  if (mesh.dimension == 3) return measure3(mesh);
   Quality q;
   if (mesh.dimension != 2) return q;
   ProductSum twice_area;
@@ -83,7 +85,10 @@ Quality measure(const Mesh& mesh) {
     const AngleRange angles = angles_degrees(a, b, c);
     twice_area.add(1, m.cross);
     if (first) {
-      q = {angles.min, angles.max, m.radius_edge, m.shortest, 0};
+      q.min_angle_degrees = angles.min;
+      q.max_angle_degrees = angles.max;
+      q.max_radius_edge = m.radius_edge;
+      q.shortest_edge = m.shortest;
       first = false;
       continue;
     }

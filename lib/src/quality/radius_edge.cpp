@@ -1,9 +1,24 @@
 #include "quality/context.h"
+#include "quality/context3.h"
+#include "quality/tetrahedron_measure.h"
 #include "quality/triangle_measure.h"
 
 namespace circumball {
 
-Check check_radius_edge(const VerifyContext& context) {
+namespace {
+
+TriangleMeasure measure_cell(const VerifyContext& context, const VerifyContext::Cell& c) {
+  return measure_triangle(context.point(c[0]), context.point(c[1]), context.point(c[2]));
+}
+TetrahedronMeasure measure_cell(const VerifyContext3& context, const VerifyContext3::Cell& c) {
+  return measure_tetrahedron(context.point(c[0]), context.point(c[1]), context.point(c[2]),
+                             context.point(c[3]));
+}
+
+}  // namespace
+
+template <class Context>
+Check check_radius_edge(const Context& context) {
   Check check;
   check.name = "radius-edge";
   const double tau = context.options.tau.value_or(0);
@@ -12,8 +27,7 @@ Check check_radius_edge(const VerifyContext& context) {
   std::size_t bad = 0, excused = 0;
   bool worst_bad = false;
   for (const auto& c : context.cells) {
-    const TriangleMeasure m =
-        measure_triangle(context.point(c[0]), context.point(c[1]), context.point(c[2]));
+    const auto m = measure_cell(context, c);
     // Beyond tau for sure, or within the error of two measurements: the mesher's that let it pass,
     // and this one.
     const bool is_bad = m.radius_edge * (1 - 2 * m.error) > tau;
@@ -26,7 +40,7 @@ Check check_radius_edge(const VerifyContext& context) {
     if (m.radius_edge > worst || (is_bad && !worst_bad)) {
       worst = m.radius_edge;
       worst_bad = is_bad;
-      check.worst = {c[0], c[1], c[2]};
+      check.worst.assign(c.begin(), c.end());
     }
   }
   check.ok = bad == 0;
@@ -44,5 +58,8 @@ Check check_radius_edge(const VerifyContext& context) {
     check.detail += "; " + count_text(excused, "cell") + " above it excused as refused by Safety";
   return check;
 }
+
+template Check check_radius_edge(const VerifyContext&);
+template Check check_radius_edge(const VerifyContext3&);
 
 }  // namespace circumball

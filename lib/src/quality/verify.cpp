@@ -3,13 +3,15 @@
 #include <algorithm>
 
 #include "quality/context.h"
+#include "quality/context3.h"
 
 namespace circumball {
 namespace {
 
+template <class Context>
 struct Entry {
   const char* name;
-  Check (*run)(const VerifyContext&);
+  Check (*run)(const Context&);
   bool (*applies)(const VerifyOptions&);  // where no checks are named
   bool (*possible)(
       const VerifyOptions&);  // a bound that nobody gave cannot be checked, named or not
@@ -23,7 +25,7 @@ bool has_sizing(const VerifyOptions& o) { return !o.sizing.empty(); }
 bool has_function(const VerifyOptions& o) { return !o.size && !o.sizing.empty(); }
 bool conforming(const VerifyOptions& o) { return o.domain != "hull"; }  // `hull` adds no vertices
 
-constexpr Entry kChecks[] = {
+constexpr Entry<VerifyContext> kChecks[] = {
     {"topology", check_topology, always, always},
     {"delaunay", check_delaunay, always, always},
     {"input-vertices", check_input_vertices, always, always},
@@ -43,12 +45,24 @@ constexpr Entry kChecks[] = {
     {"grading", check_grading, asked_only, always},
 };
 
-}  // namespace
+constexpr Entry<VerifyContext3> kChecks3[] = {
+    {"topology", check_topology, always, always},
+    {"delaunay", check_delaunay, always, always},
+    {"input-vertices", check_input_vertices, always, always},
+    {"input-segments", check_input_segments, conforming, always},
+    {"input-faces", check_input_faces, conforming, always},
+    {"volume", check_volume, always, always},
+    {"radius-edge", check_radius_edge, has_tau, has_tau},
+    {"segment-lower", check_segment_lower, asked_only, always},
+    {"segment-upper", check_segment_upper, asked_only, always},
+};
 
-std::vector<Check> verify(const Mesh& mesh, const Complex& complex, const VerifyOptions& options) {
-  const VerifyContext context(mesh, complex, options);
+template <class Context, std::size_t n>
+std::vector<Check> run_checks(const Entry<Context> (&entries)[n], const Mesh& mesh,
+                              const Complex& complex, const VerifyOptions& options) {
+  const Context context(mesh, complex, options);
   std::vector<Check> checks;
-  for (const Entry& entry : kChecks) {
+  for (const Entry<Context>& entry : entries) {
     const auto named = std::find(options.checks.begin(), options.checks.end(), entry.name);
     const bool wanted =
         options.checks.empty() ? entry.applies(options) : named != options.checks.end();
@@ -56,6 +70,13 @@ std::vector<Check> verify(const Mesh& mesh, const Complex& complex, const Verify
     checks.push_back(entry.run(context));
   }
   return checks;
+}
+
+}  // namespace
+
+std::vector<Check> verify(const Mesh& mesh, const Complex& complex, const VerifyOptions& options) {
+  return complex.dimension == 3 ? run_checks(kChecks3, mesh, complex, options)
+                                : run_checks(kChecks, mesh, complex, options);
 }
 
 }  // namespace circumball

@@ -41,17 +41,18 @@ Json parameters(const Run& run) {
 Json measures(const Mesh& mesh) {
   const Quality quality = measure(mesh);
   const bool any = mesh.cell_count() > 0;
-  const auto value = [any](double v) {
-    return number_or_null(any ? std::optional(v) : std::nullopt);
+  const auto value = [&](double v, int dimension = 0) {  // 0: of either
+    const bool has = any && (dimension == 0 || dimension == mesh.dimension);
+    return number_or_null(has ? std::optional(v) : std::nullopt);
   };
   Json result;
   result["vertices"] = mesh.vertices.size();
   result["cells"] = mesh.cell_count();
-  result["min_angle_degrees"] = value(quality.min_angle_degrees);
-  result["max_angle_degrees"] = value(quality.max_angle_degrees);
+  result["min_angle_degrees"] = value(quality.min_angle_degrees, 2);
+  result["max_angle_degrees"] = value(quality.max_angle_degrees, 2);
   result["max_radius_edge"] = value(quality.max_radius_edge);
-  result["min_dihedral_degrees"] = nullptr;  // in the plane there are none
-  result["max_dihedral_degrees"] = nullptr;
+  result["min_dihedral_degrees"] = value(quality.min_dihedral_degrees, 3);
+  result["max_dihedral_degrees"] = value(quality.max_dihedral_degrees, 3);
   result["shortest_edge"] = value(quality.shortest_edge);
   return result;
 }

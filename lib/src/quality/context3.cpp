@@ -1,0 +1,212 @@
+#include "quality/context3.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "circumball/predicates.h"
+#include "complex/planar_sweep.h"
+
+namespace circumball {
+namespace {
+
+VerifyContext3::Facet ascending(VerifyContext3::Facet f) {
+  std::sort(f.begin(), f.end());
+  return f;
+}
+
+/// Whether the corners are in an even permutation of their ascending order.
+bool even(const VerifyContext3::Facet& f) {
+  return ((f[0] > f[1]) + (f[1] > f[2]) + (f[0] > f[2])) % 2 == 0;
+}
+
+bool usable_point(const Point3& p) { return usable(p.x) && usable(p.y) && usable(p.z); }
+
+}  // namespace
+
+VerifyContext3::VerifyContext3(const Mesh& m, const Complex& c, const VerifyOptions& o)
+    : mesh(m), complex(c), options(o) {
+  read_cells();
+  pair_facets();
+  list_neighbors();
+  match_vertices();
+  measure();
+  for (const auto& cell : options.excused) {
+    if (cell.size() != 4) continue;
+    Cell sorted = {cell[0], cell[1], cell[2], cell[3]};
+    std::sort(sorted.begin(), sorted.end());
+    excused_.push_back(sorted);
+  }
+  std::sort(excused_.begin(), excused_.end());
+}
+
+bool VerifyContext3::excused(const Cell& cell) const {
+  if (excused_.empty()) return false;
+  Cell sorted = cell;
+  std::sort(sorted.begin(), sorted.end());
+  return std::binary_search(excused_.begin(), excused_.end(), sorted);
+}
+
+void VerifyContext3::read_cells() {
+  used.assign(mesh.vertices.size(), 0);
+  if (mesh.dimension != 3) return;
+  cells.reserve(mesh.cell_count());
+  for (std::uint32_t i = 0; i < mesh.cell_count(); ++i) {
+    const std::uint32_t* v = mesh.cell(i);
+    Cell cell = {v[0], v[1], v[2], v[3]};
+    if (!std::all_of(cell.begin(), cell.end(), [&](std::uint32_t w) {
+          return w < mesh.vertices.size() && usable_point(mesh.vertices[w]);
+        }))
+      continue;
+    Cell sorted = cell;
+    std::sort(sorted.begin(), sorted.end());
+    if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) continue;
+    cells.push_back(cell);
+    cell_number.push_back(i);
+    positive.push_back(orient3d(point(v[0]), point(v[1]), point(v[2]), point(v[3])) ==
+                       Sign::kPositive);
+    for (const std::uint32_t w : cell) used[w] = 1;
+  }
+}
+
+void VerifyContext3::pair_facets() {
+  const auto count = static_cast<std::uint32_t>(4 * cells.size());
+  const std::size_t n = mesh.vertices.size();
+  facet_first_.assign(n + 1, 0);
+  for (std::uint32_t f = 0; f < count; ++f) ++facet_first_[ascending(corners(f))[0] + 1];
+  for (std::size_t v = 0; v < n; ++v) facet_first_[v + 1] += facet_first_[v];
+  facet_.resize(count);
+  std::vector<std::uint32_t> next(facet_first_.begin(), facet_first_.end() - 1);
+  for (std::uint32_t f = 0; f < count; ++f) facet_[next[ascending(corners(f))[0]]++] = f;
+  twin.assign(count, kNoIndex);
+  for (std::size_t v = 0; v < n; ++v) {
+    const auto first = facet_.begin() + facet_first_[v],
+               last = facet_.begin() + facet_first_[v + 1];
+    std::sort(first, last, [&](std::uint32_t f, std::uint32_t g) {
+      const Facet a = ascending(corners(f)), b = ascending(corners(g));
+      return a != b ? a < b : f < g;
+    });
+    for (auto i = first; i != last;) {
+      const Facet key = ascending(corners(*i));
+      auto j = i + 1;
+      while (j != last && ascending(corners(*j)) == key) ++j;
+      if (j - i == 2 && even(corners(i[0])) != even(corners(i[1]))) {
+        twin[i[0]] = i[1];
+        twin[i[1]] = i[0];
+      } else if (j - i > 1) {
+        bad_facets.push_back(key);
+      }
+      i = j;
+    }
+  }
+}
+
+std::uint32_t VerifyContext3::find_facet(Facet f) const {
+  f = ascending(f);
+  if (f[2] >= mesh.vertices.size()) return kNoIndex;
+  const auto first = facet_.begin() + facet_first_[f[0]],
+             last = facet_.begin() + facet_first_[f[0] + 1];
+  const auto it = std::lower_bound(first, last, f, [&](std::uint32_t g, const Facet& key) {
+    return ascending(corners(g)) < key;
+  });
+  return it != last && ascending(corners(*it)) == f ? *it : kNoIndex;
+}
+
+void VerifyContext3::list_neighbors() {
+  const std::size_t n = mesh.vertices.size();
+  neighbor_first.assign(n + 1, 0);
+  for (const Cell& c : cells)
+    for (const std::uint32_t v : c) neighbor_first[v + 1] += 3;
+  for (std::size_t v = 0; v < n; ++v) neighbor_first[v + 1] += neighbor_first[v];
+  neighbor.resize(neighbor_first[n]);
+  std::vector<std::uint32_t> next(neighbor_first.begin(), neighbor_first.end() - 1);
+  for (const Cell& c : cells) {
+    for (const std::uint32_t v : c)
+      for (const std::uint32_t w : c)
+        if (v != w) neighbor[next[v]++] = w;
+  }
+  std::uint32_t kept = 0;  // each once
+  for (std::size_t v = 0; v < n; ++v) {
+    const auto first = neighbor.begin() + neighbor_first[v],
+               last = neighbor.begin() + neighbor_first[v + 1];
+    std::sort(first, last);
+    neighbor_first[v] = kept;
+    for (auto it = first; it != last; ++it)
+      if (it == first || *it != *(it - 1)) neighbor[kept++] = *it;
+  }
+  neighbor_first[n] = kept;
+  neighbor.resize(kept);
+}
+
+bool VerifyContext3::has_edge(std::uint32_t a, std::uint32_t b) const {
+  if (a >= mesh.vertices.size()) return false;
+  return std::binary_search(neighbor.begin() + neighbor_first[a],
+                            neighbor.begin() + neighbor_first[a + 1], b);
+}
+
+void VerifyContext3::match_vertices() {
+  const std::size_t n = complex.vertices.size();
+  mesh_vertex.assign(n, kNoIndex);
+  vertex_wanted.assign(n, 0);
+  by_number =
+      mesh.input_vertices > 0 && n <= mesh.vertices.size() &&
+      (n == mesh.input_vertices || n == std::size_t{mesh.input_vertices} + mesh.box_vertices);
+  const auto less = [](const Point3& p, const Point3& q) {
+    return p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : p.z < q.z;
+  };
+  std::vector<std::uint32_t> order;
+  if (!by_number) {
+    for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v)
+      if (usable_point(mesh.vertices[v])) order.push_back(v);
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+      const Point3 &p = mesh.vertices[a], &q = mesh.vertices[b];
+      if (less(p, q) || less(q, p)) return less(p, q);
+      return used[a] != used[b] ? used[a] > used[b] : a < b;
+    });
+  }
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const Point3& p = complex.vertices[i];
+    if (!usable_point(p)) continue;
+    vertex_wanted[i] = 1;
+    if (by_number) {
+      if (mesh.vertices[i] == p) mesh_vertex[i] = i;
+      continue;
+    }
+    const auto it = std::lower_bound(
+        order.begin(), order.end(), p,
+        [&](std::uint32_t v, const Point3& q) { return less(mesh.vertices[v], q); });
+    if (it != order.end() && !less(p, mesh.vertices[*it])) mesh_vertex[i] = *it;
+  }
+  // A segment that repeats another is left out.
+  std::vector<std::uint32_t> segments;
+  for (std::uint32_t s = 0; s < complex.segments.size(); ++s) segments.push_back(s);
+  const auto ends = [&](std::uint32_t s) {
+    const auto& e = complex.segments[s];
+    return std::array<std::uint32_t, 2>{std::min(e[0], e[1]), std::max(e[0], e[1])};
+  };
+  std::sort(segments.begin(), segments.end(), [&](std::uint32_t s, std::uint32_t t) {
+    return ends(s) != ends(t) ? ends(s) < ends(t) : s < t;
+  });
+  segment_wanted.assign(complex.segments.size(), 1);
+  for (std::size_t k = 1; k < segments.size(); ++k)
+    if (ends(segments[k]) == ends(segments[k - 1])) segment_wanted[segments[k]] = 0;
+}
+
+void VerifyContext3::measure() {
+  double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+  double largest = 0;
+  for (const Point3& p : complex.vertices) {
+    if (!usable_point(p)) continue;
+    const double at[3] = {p.x, p.y, p.z};
+    for (int i = 0; i < 3; ++i) {
+      low[i] = std::min(low[i], at[i]);
+      high[i] = std::max(high[i], at[i]);
+      largest = std::max(largest, std::fabs(at[i]));
+    }
+  }
+  if (!(low[0] <= high[0])) return;
+  const double dx = high[0] - low[0], dy = high[1] - low[1], dz = high[2] - low[2];
+  diameter = std::sqrt(dx * dx + dy * dy + dz * dz);
+  rounding = 0x1p-49 * largest;
+}
+
+}  // namespace circumball
