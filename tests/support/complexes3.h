@@ -247,13 +247,16 @@ inline void add_cuboid(Builder3* b, Random* random, double least) {
   for (std::uint32_t k = 0; k < 8; ++k)
     v[k] = b->vertex(
         {k & 1 ? size[0] : -size[0], k & 2 ? size[1] : -size[1], k & 4 ? size[2] : -size[2]});
+  const bool diagonal = random->below(2) != 0;
   b->face({v[0], v[1], v[3], v[2]});
   b->face({v[4], v[5], v[7], v[6]});
   b->face({v[0], v[1], v[5], v[4]});
   b->face({v[2], v[3], v[7], v[6]});
-  b->face({v[0], v[2], v[6], v[4]});
-  b->face({v[1], v[3], v[7], v[5]});
-  if (random->below(2)) {
+  Face& left = b->face({v[0], v[2], v[6], v[4]});
+  if (diagonal) left.segments.push_back(b->segment(v[0], v[6]));
+  Face& right = b->face({v[1], v[3], v[7], v[5]});
+  if (diagonal) right.segments.push_back(b->segment(v[1], v[7]));
+  if (diagonal) {
     b->face({v[0], v[1], v[7], v[6]});
   } else if (random->below(2)) {
     b->vertex({0.5 * size[0] * random->unit(), 0, 0.5 * size[2] * random->unit()});

@@ -51,7 +51,7 @@ Chain ChainFinder<Context>::find(std::uint32_t segment) const {
     return chain;
   }
   return label_first_[segment] < label_first_[segment + 1] ? find_labeled(segment, a, b)
-                                                           : walk(segment, a, b);
+                                                           : between(a, b);
 }
 
 template <class Context>
@@ -103,7 +103,7 @@ Chain ChainFinder<Context>::find_labeled(std::uint32_t segment, std::uint32_t a,
 }
 
 template <class Context>
-Chain ChainFinder<Context>::walk(std::uint32_t, std::uint32_t a, std::uint32_t b) const {
+Chain ChainFinder<Context>::between(std::uint32_t a, std::uint32_t b) const {
   const auto pa = context_.point(a), pb = context_.point(b);
   Chain chain;
   chain.vertices.push_back(a);

@@ -23,10 +23,11 @@ class ChainFinder {
  public:
   explicit ChainFinder(const Context& context);
   Chain find(std::uint32_t segment) const;
+  /// Along the straight line between two mesh vertices, by distance.
+  Chain between(std::uint32_t a, std::uint32_t b) const;
 
  private:
   Chain find_labeled(std::uint32_t segment, std::uint32_t a, std::uint32_t b) const;
-  Chain walk(std::uint32_t segment, std::uint32_t a, std::uint32_t b) const;
 
   const Context& context_;
   std::vector<std::uint32_t> label_first_, label_edge_;

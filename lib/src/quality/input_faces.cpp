@@ -149,19 +149,16 @@ class FaceFinder {
         const Point3 d = context_.complex.vertices[b] - context_.complex.vertices[a];
         length_ += std::sqrt(dot(d, d));
         const auto segment = segment_.find(edge(a, b));
-        if (segment == segment_.end()) {  // it can only be one edge
-          const std::uint32_t p = context_.mesh_vertex[a], q = context_.mesh_vertex[b];
-          if (p == kNoIndex || q == kNoIndex) {
-            *problem = {"a corner of it is not in the mesh", {}};
-            return {};
-          }
-          edges.push_back(edge(p, q));
-          continue;
+        const std::uint32_t p = context_.mesh_vertex[a], q = context_.mesh_vertex[b];
+        if (p == kNoIndex || q == kNoIndex) {
+          *problem = {"a corner of it is not in the mesh", {}};
+          return {};
         }
-        const Chain chain = chains_.find(segment->second);
+        const Chain chain =
+            segment != segment_.end() ? chains_.find(segment->second) : chains_.between(p, q);
         if (chain.vertices.empty()) {
-          *problem = {"its side, segment " + std::to_string(segment->second) +
-                          ", is not a union of edges: " + chain.problem,
+          *problem = {"its side between " + vertices_text({p, q}) +
+                          " is not a union of edges: " + chain.problem,
                       chain.at};
           return {};
         }

@@ -1,0 +1,76 @@
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "circumball/io.h"
+#include "circumball/registry.h"
+#include "circumball/report.h"
+#include "circumball/verify.h"
+#include "support/acute.h"
+#include "support/feature_size_run3.h"
+
+namespace circumball {
+namespace {
+
+using testing::Chapter4Watch;
+
+const std::vector<std::string> kSteps = {"0", "1a", "1b", "2a", "2b"};
+
+/// Small angles between faces cost the square of their inverse in vertices: the smallest come
+/// rarely.
+double least_angle(std::uint64_t number) {
+  return number % 40 == 0 ? 5 : number % 8 == 1 ? 10 : 20;
+}
+
+std::string all_of(const std::vector<std::string>& sentences) {
+  std::string text;
+  for (const std::string& s : sentences) text += s + "\n";
+  return text;
+}
+
+TEST(Theorems4_1And4_2, HoldWithTheLemmasAfterEachStepOnHundredsOfRandomComplexes) {
+  Chapter4Watch::Range after_1b, after_2a, lower, upper;
+  std::size_t looked_at = 0;
+  const std::uint64_t count = testing::cases(300);
+  for (std::uint64_t number = 0; number < count; ++number) {
+    const Complex complex = testing::random_complex3(number, least_angle(number), 2);
+    Chapter4Watch watch(complex, kSteps);
+    const auto run = testing::finish(complex, testing::options_of("feature-size"), watch.sink());
+    ASSERT_TRUE(run) << "complex " << number << " is not valid";
+    ASSERT_EQ(run->status(), Status::kComplete) << number;
+    ASSERT_EQ(run->step_names(), kSteps);
+    ASSERT_EQ(watch.history().unknown(), 0u) << number;
+    ASSERT_TRUE(watch.failures().empty()) << number << "\n" << all_of(watch.failures());
+    for (const auto& [sum, one] : {std::pair{&after_1b, &watch.after_1b},
+                                   {&after_2a, &watch.after_2a},
+                                   {&lower, &watch.lower},
+                                   {&upper, &watch.upper}}) {
+      sum->least = std::min(sum->least, one->least);
+      sum->most = std::max(sum->most, one->most);
+    }
+    looked_at += watch.looked_at;
+  }
+  RecordProperty("after 1b, |s| / fs_1",
+                 std::to_string(after_1b.least) + " to " + std::to_string(after_1b.most));
+  RecordProperty("after 2a, |s| / lfs_1, most", std::to_string(after_2a.most));
+  RecordProperty("after 2b, |s| over the bound of 4.1, least", std::to_string(lower.least));
+  RecordProperty("after 2b, |s| over the bound of 4.2, most", std::to_string(upper.most));
+  RecordProperty("statements", std::to_string(looked_at));
+  EXPECT_LT(after_1b.least, 0.4);  // the complexes are hard enough to come near the bounds
+  EXPECT_GT(after_1b.most, 1.0);
+}
+
+TEST(Theorems4_1And4_2, AreVerifiedOnTheMeshesOfRandomComplexes) {
+  for (std::uint64_t number = 1000; number < 1000 + testing::cases(40); ++number) {
+    const Complex complex = testing::random_complex3(number, 20, 2);
+    const auto run = testing::finish(complex, testing::options_of("feature-size"));
+    ASSERT_TRUE(run) << number;
+    const Mesh mesh = run->mesh();
+    for (const Check& check : verify(mesh, run->complex(), promised_checks(*run)))
+      EXPECT_TRUE(check.ok) << number << " " << check.name << ": " << check.detail;
+  }
+}
+
+}  // namespace
+}  // namespace circumball
