@@ -363,7 +363,11 @@ export const texts = {
     fingerprint: 'Fingerprint',
     fingerprintHint: 'The command prints the same for the same input and parameters.',
   },
-  gallery: { title: 'Examples', hint: 'Each opens in the picture and can be changed.' },
+  gallery: {
+    title: 'Examples',
+    hint: 'Each opens in the picture; those of the plane can be changed there.',
+    dimensions: { 2: 'In the plane', 3: 'In space' },
+  },
   exports: {
     title: 'Export',
     mesh: 'The finished mesh',
@@ -388,7 +392,7 @@ export const texts = {
   document: {
     vertices: 'vertices',
     segments: 'segments',
-    faces: 'faces',
+    faces: (n: number) => (n === 1 ? 'face' : 'faces'),
     holes: 'holes',
     coordinates: 'Coordinates',
     selected: (n: number) => `${n} selected`,
