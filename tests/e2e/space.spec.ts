@@ -49,6 +49,8 @@ test.describe('space', () => {
     page,
   }) => {
     await openExample(page, 'pyramid');
+    await finished(page);
+    await page.keyboard.press('End'); // it plays by itself no longer
     const first = await picture(page);
     const box = (await canvas(page).boundingBox())!;
     const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
@@ -72,7 +74,9 @@ test.describe('space', () => {
     await finished(page);
     await canvas(page).focus();
     await page.keyboard.press('End'); // it plays by itself no longer
-    await page.keyboard.press('t');
+    await page.keyboard.press('t'); // the first tetrahedra come with a plane that opens them
+    await expect(page.getByRole('slider', { name: 'Place of the clip plane' })).toBeVisible();
+    await page.keyboard.press('p');
     const whole = await picture(page);
     await page.keyboard.press('p');
     const half = await picture(page);

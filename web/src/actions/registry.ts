@@ -334,7 +334,8 @@ function toggleClip(): void {
 /** Cells apart and back. */
 function explode(): void {
   const { shrink } = app.look.look;
-  app.look.set(shrink > 0 ? { shrink: 0 } : { shrink: 0.45, cells: true });
+  app.look.set({ shrink: shrink > 0 ? 0 : 0.45 });
+  if (shrink === 0) app.look.showCells(true);
 }
 
 const hasFaces = () => app.inSpace && !app.comparing && app.face.count > 0;
@@ -406,7 +407,7 @@ const space: Action[] = [
     keys: ['t'],
     enabled: inSpace,
     pressed: () => app.look.look.cells,
-    perform: () => app.look.set({ cells: !app.look.look.cells }),
+    perform: () => app.look.showCells(!app.look.look.cells),
   },
   {
     id: 'explode',

@@ -12,9 +12,22 @@ const axes: Record<'x' | 'y' | 'z', Point3> = { x: [1, 0, 0], y: [0, 1, 0], z: [
 /** How space is looked at: what is drawn of faces and cells, the clip plane, how far cells are apart. */
 export class SpaceSettings {
   look = $state.raw<SpaceLook>(defaultLook);
+  private opened = false;
 
   set(change: Partial<SpaceLook>): void {
     this.look = { ...this.look, ...change };
+  }
+
+  /**
+   * All tetrahedra together are a wall: with the first ones a plane across the second axis opens them, towards who looks from the
+   * front.
+   */
+  showCells(shown: boolean): void {
+    const { clip, cells } = this.look;
+    this.set({ cells: shown });
+    if (!shown || cells || clip || this.opened) return;
+    this.opened = true;
+    this.set({ clip: { axis: 'y', normal: axes.y, offset: 0.5, flipped: true, exact: false } });
   }
 
   /** `towards`: from what is looked at to the eye, for a plane across the line of sight. */
