@@ -40,6 +40,17 @@ TEST(Table4_1, TheWheelHasTheVerticesOfTheThesisAfterEachStep) {
   EXPECT_NEAR(static_cast<double>(after[4]), 11351, 0.03 * 11351);
 }
 
+// The thesis does not print these; an independent implementation has the same counts, with its own
+// order of ties.
+TEST(Section4_2, TheOtherExamplesHaveTheirVerticesAfterEachStep) {
+  using Counts = std::vector<std::uint64_t>;
+  EXPECT_EQ(counts("pyramid.json"), (Counts{31, 47, 51, 135, 542}));
+  EXPECT_EQ(counts("three-squares.json"), (Counts{38, 62, 140, 482, 1858}));
+  const Counts after = counts("two-non-convex.json");
+  EXPECT_EQ(Counts(after.begin(), after.begin() + 4), (Counts{42, 76, 156, 549}));
+  EXPECT_NEAR(static_cast<double>(after[4]), 2160, 0.03 * 2160);
+}
+
 TEST(Section4_2, HalvesInStep2aSaveVertices) {
   for (const char* name : {"wheel.json", "three-squares.json", "two-non-convex.json"}) {
     const auto fourths = counts(name), halves = counts(name, "halves");

@@ -97,6 +97,7 @@ TEST(SpaceTrace, RecordingDoesNotChangeTheMesh) {
     trace.dimension = 3;
     const auto recorded = finish(complex, options, &trace);
     const auto silent = finish(complex, options);
+    ASSERT_TRUE(recorded && silent) << seed;
     EXPECT_EQ(fingerprint(recorded->mesh()), fingerprint(silent->mesh()));
     // Bytes read back.
     trace.steps = recorded->step_names();
@@ -178,6 +179,7 @@ TEST(FeatureSizeInSpace, EndsWithNothingThatIsUnacceptableAndSafe) {
   // What is left unacceptable was refused by Safety, and is refused still.
   for (std::uint64_t seed = 200; seed < 212; ++seed) {
     const auto run = finish(random_complex3(seed, 20, 2), options_of("feature-size"));
+    ASSERT_TRUE(run) << seed;
     ASSERT_EQ(run->status(), Status::kComplete) << seed;
     for (const Unresolved& u : run->unresolved(100000)) {
       EXPECT_EQ(u.simplex.size(), 3u);
