@@ -35,7 +35,7 @@ Mesh export_mesh(Live3* live, std::uint32_t input_vertices) {
     const FaceRefinement& face = live->face(f);
     face.triangulation().for_each_triangle([&](TriangleId t) {
       const Delaunay2::Triangle& triangle = face.triangulation().triangle(t);
-      if (!face.inside(triangle)) return;
+      if (!live->is_inside(f, triangle)) return;
       const VertexId a = face.global(triangle.v[0]), b = face.global(triangle.v[1]),
                      c = face.global(triangle.v[2]);
       if (dt.find_facet(a, b, c) == kNone) return;

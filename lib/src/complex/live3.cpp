@@ -194,6 +194,24 @@ std::array<SubsegmentId, 2> Live3::split(SubsegmentId s, VertexId m) {
   return {left, right};
 }
 
+bool Live3::is_pocket(std::uint32_t face, const Delaunay2::Triangle& t) const {
+  VertexId v[3];
+  for (int i = 0; i < 3; ++i) v[i] = faces_[face].global(t.v[i]);
+  const auto lies_on = [&](VertexId p, std::uint32_t segment) {
+    const Feature& f = feature(p);
+    const auto& ends = complex_->segments[segment];
+    return f == Feature{FeatureKind::kSegment, segment} ||
+           (f.kind == FeatureKind::kVertex && (f.index == ends[0] || f.index == ends[1]));
+  };
+  // One of the three is no input vertex: input vertices on a line are no triangle of the input.
+  for (const VertexId p : v) {
+    const Feature& f = feature(p);
+    if (f.kind != FeatureKind::kSegment) continue;
+    return lies_on(v[0], f.index) && lies_on(v[1], f.index) && lies_on(v[2], f.index);
+  }
+  return false;
+}
+
 VertexId Live3::local(VertexId v, std::uint32_t face) const {
   const Incidence3::Range faces = faces_of(feature(v));
   const auto at = std::lower_bound(faces.begin(), faces.end(), face);

@@ -100,6 +100,13 @@ class Live3 {
   std::uint32_t face_count() const { return static_cast<std::uint32_t>(faces_.size()); }
   FaceRefinement& face(std::uint32_t f) { return faces_[f]; }
   const FaceRefinement& face(std::uint32_t f) const { return faces_[f]; }
+  /// Whether all three vertices of t lie on one input segment: t is flat, but for their rounding.
+  /// Such triangles at the rim of a face's refinement are none of the face.
+  bool is_pocket(std::uint32_t face, const Delaunay2::Triangle& t) const;
+  /// Whether t is a triangle of the face: inside of its polygon, and no pocket.
+  bool is_inside(std::uint32_t face, const Delaunay2::Triangle& t) const {
+    return faces_[face].inside(t) && !is_pocket(face, t);
+  }
   /// The number of v in the refinement of a face that it lies in; invalid elsewhere.
   VertexId local(VertexId v, std::uint32_t face) const;
   /// Looks whether p can become a vertex of the refinement of every face that a vertex on this

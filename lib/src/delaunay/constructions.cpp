@@ -1,49 +1,18 @@
 #include "delaunay/constructions.h"
 
+#include "predicates/twofold.h"
+
 namespace circumball {
 namespace {
 
-/// A double-double number: the unevaluated sum hi + lo (Dekker 1971).
-struct Twofold {
-  double hi = 0, lo = 0;
-};
-
-Twofold fast_two_sum(double a, double b) {
-  const double s = a + b;
-  return {s, b - (s - a)};
-}
-
-Twofold two_sum(double a, double b) {
-  const double s = a + b;
-  const double t = s - a;
-  return {s, (a - (s - t)) + (b - t)};
-}
-
-Twofold two_product(double a, double b) {
-  constexpr double kSplitter = 134217729;  // 2^27 + 1 (Veltkamp)
-  const double p = a * b;
-  const double ca = kSplitter * a, cb = kSplitter * b;
-  const double ah = ca - (ca - a), al = a - ah;
-  const double bh = cb - (cb - b), bl = b - bh;
-  return {p, ((ah * bh - p) + ah * bl + al * bh) + al * bl};
-}
-
-Twofold operator+(const Twofold& a, const Twofold& b) {
-  const Twofold s = two_sum(a.hi, b.hi);
-  return fast_two_sum(s.hi, s.lo + (a.lo + b.lo));
-}
-
-Twofold operator-(const Twofold& a, const Twofold& b) { return a + Twofold{-b.hi, -b.lo}; }
-
-Twofold operator*(const Twofold& a, const Twofold& b) {
-  const Twofold p = two_product(a.hi, b.hi);
-  return fast_two_sum(p.hi, p.lo + (a.hi * b.lo + a.lo * b.hi));
-}
+using internal::two_sum;
+using internal::Twofold;
 
 Twofold operator/(const Twofold& a, const Twofold& b) {
-  const double q = a.hi / b.hi;
+  using internal::operator-, internal::operator*;
+  const double q = a.high / b.high;
   const Twofold r = a - b * Twofold{q, 0};
-  return fast_two_sum(q, r.hi / b.hi);
+  return internal::twofold(internal::fast_two_sum(q, r.high / b.high));
 }
 
 }  // namespace
@@ -73,13 +42,15 @@ double squared_distance_of_segments(const Point3& a, const Point3& b, const Poin
 }
 
 Point2 circumcenter_extended(const Point2& a, const Point2& b, const Point2& c) {
-  const Twofold bx = two_sum(b.x, -a.x), by = two_sum(b.y, -a.y);
-  const Twofold cx = two_sum(c.x, -a.x), cy = two_sum(c.y, -a.y);
+  using internal::operator+, internal::operator-, internal::operator*;
+  const auto difference = [](double p, double q) { return internal::twofold(two_sum(p, -q)); };
+  const Twofold bx = difference(b.x, a.x), by = difference(b.y, a.y);
+  const Twofold cx = difference(c.x, a.x), cy = difference(c.y, a.y);
   const Twofold b2 = bx * bx + by * by, c2 = cx * cx + cy * cy;
   const Twofold cross = bx * cy - by * cx;
   const Twofold d = cross + cross;
   const Twofold ux = (cy * b2 - by * c2) / d, uy = (bx * c2 - cx * b2) / d;
-  return {(Twofold{a.x, 0} + ux).hi, (Twofold{a.y, 0} + uy).hi};
+  return {(Twofold{a.x, 0} + ux).high, (Twofold{a.y, 0} + uy).high};
 }
 
 }  // namespace circumball

@@ -3,7 +3,9 @@
 // Coordinates come from somewhere: lattices and drawings have few bits, and points that are near
 // each other, but not near zero, have differences on a common grid of few bits, exact or not. So
 // orient3d and insphere look at the differences as integers: if they have so few bits that
-// determinants of doubles are exact, or fit 64 bits. Only what is left goes to expansions.
+// determinants of doubles are exact, or fit 64 bits. What is left are points that were rounded onto
+// a plane or a sphere: their determinants are tiny, but not zero, and doubles of twice the
+// precision nearly always tell the sign. Only what is left then goes to expansions.
 
 #include <cmath>
 
@@ -11,6 +13,7 @@
 #include "predicates/expansion.h"
 #include "predicates/fast.h"
 #include "predicates/fixed_integer.h"
+#include "predicates/twofold.h"
 
 namespace circumball::internal {
 namespace {
@@ -110,6 +113,33 @@ auto determinant4(const Number (&d)[12]) {
   return (lift(3) * abc - lift(2) * dab) + (lift(1) * cda - lift(0) * bcd);
 }
 
+/// An upper bound of the sum of the absolute values of the monomials, but for its own rounding.
+struct Magnitude {
+  double value;
+};
+inline Magnitude operator+(Magnitude a, Magnitude b) { return {a.value + b.value}; }
+inline Magnitude operator-(Magnitude a, Magnitude b) { return {a.value + b.value}; }
+inline Magnitude operator*(Magnitude a, Magnitude b) { return {a.value * b.value}; }
+
+/// The sign of insphere in double-double arithmetic, if that is certain; else 0.
+///
+/// Differences are exact. Each monomial passes through a product and a difference (a minor of two
+/// rows), a product and two sums (of three rows), a product and three sums (with the lift, itself a
+/// product and two sums): at most 4 * 7 + 8 * 3 = 52 u^2, and some u^3, of the sum of their
+/// absolute values. That sum is computed with 12 roundings from `high`, each of which is the
+/// difference but for u; 2^-100 = 64 u^2 covers all of it. Underflow: see predicates/fast.h; the
+/// low parts are multiples of the same lattice.
+double insphere_twofold(const Differences<4>& v) {
+  Twofold number[12];
+  Magnitude magnitude[12];
+  for (int i = 0; i < 12; ++i) {
+    number[i] = {v.high[i], v.low[i]};
+    magnitude[i] = {std::fabs(v.high[i])};
+  }
+  const Twofold det = determinant4(number);
+  return std::fabs(det.high) > 0x1p-100 * determinant4(magnitude).value ? det.high : 0;
+}
+
 /// Without differences, so that the stack stays small: differences of two components each would
 /// take up to 36,864 components, products of the coordinates themselves take 5,760 (Shewchuk 1997,
 /// section 4.4).
@@ -169,9 +199,11 @@ CIRCUMBALL_HOT double insphere_by_stages(const Point3& a, const Point3& b, const
   double small[12];
   FixedInteger<1> integers[12];
   const bool is_small = v.as_integers(9, small), by_integers = is_small || v.as_integers(integers);
-  count(Predicate::kInsphere, by_integers);
+  const double sign = by_integers ? 0 : insphere_twofold(v);
+  count(Predicate::kInsphere, by_integers || sign != 0);
   if (is_small) return determinant4(small);
   if (by_integers) return determinant4(integers).sign();
+  if (sign != 0) return sign;
   return insphere_of_coordinates({&a, &b, &c, &d, &e});
 }
 

@@ -63,6 +63,11 @@ class Agenda2 {
     triangles_.push(t, why.value);
     return true;
   }
+  /// Why a simplex is unacceptable still that was when it was queued: nothing is remembered.
+  template <class Simplex>
+  Verdict remembered(const View&, const Rules&, Simplex) const {
+    return {};
+  }
   void push_yielded(SubsegmentId s, TriangleRef proposer) { subsegments_.push({s, proposer}); }
   void push_front(TriangleRef t, double value) { triangles_.push_front(t, value); }
 

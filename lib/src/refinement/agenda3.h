@@ -22,6 +22,7 @@ struct Priority {
 /// - kFaceTriangles: whether triangles of faces are looked at
 /// - near_vertex(View3, simplex, VertexId q, VertexId p) -> Verdict: as `unacceptable`, where only
 ///   the Delaunay neighbor p of q is new
+/// - kRemembersWitness: whether a segment that was queued for a witness stays unacceptable for it
 /// - kSpindle: whether the neighbors of a segment's whole spindle make it unacceptable, not only
 ///   those of its own ends
 template <class Rules>
@@ -56,12 +57,24 @@ class Agenda3 {
 
   /// Returns whether it was not waiting yet.
   template <class Simplex>
-  bool push(const View3& view, const Rules& rules, const Simplex& s, const Verdict&) {
+  bool push(const View3& view, const Rules& rules, const Simplex& s, const Verdict& why) {
     if (!mark_waiting(s)) return false;
+    remember(s, why.witness);
     heap_.push_back({rules.priority(view, s), pushed_++, item_of(s)});
     std::push_heap(heap_.begin(), heap_.end());
     return true;
   }
+
+  /// Why a simplex is unacceptable still that was when it was queued.
+  Verdict remembered(const View3& view, const Rules& rules, SubsegmentId s) const {
+    if (!Rules::kRemembersWitness || s.value >= witnesses_.size()) return {};
+    const VertexId p = witnesses_[s.value];
+    if (!p.valid()) return {};
+    const Subsegment& u = view.subsegment(s);
+    const Verdict why = rules.near_vertex(view, s, u.a, p);
+    return why ? why : rules.near_vertex(view, s, u.b, p);
+  }
+  Verdict remembered(const View3&, const Rules&, const FaceTriangle&) const { return {}; }
 
   /// Takes the simplex of highest priority. Nothing yields in these rules.
   template <class F>
@@ -100,7 +113,11 @@ class Agenda3 {
       if (why) queue(simplex, why);
     };
     if constexpr (std::is_same_v<Simplex, SubsegmentId>) {
-      for (const SubsegmentId half : w.live.split(s, v)) ask(half, rules.unacceptable(view, half));
+      for (const SubsegmentId half : w.live.split(s, v)) {
+        if (s.value < witnesses_.size()) remember(half, witnesses_[s.value]);
+        const Verdict why = rules.unacceptable(view, half);
+        ask(half, why ? why : remembered(view, rules, half));
+      }
     }
     ask_neighbors(w.live, view, rules, v, ask);
   }
@@ -143,6 +160,12 @@ class Agenda3 {
     waits[t.id] = t.birth;
     return true;
   }
+  void remember(SubsegmentId s, VertexId witness) {
+    if (!Rules::kRemembersWitness) return;
+    if (witnesses_.size() <= s.value) witnesses_.resize(s.value + 1);
+    witnesses_[s.value] = witness;
+  }
+  void remember(const FaceTriangle&, VertexId) {}
   static bool is_frozen(const Live3& live, SubsegmentId s) { return live.subsegment(s).frozen; }
   bool is_frozen(const Live3&, const FaceTriangle& t) const {
     return std::any_of(frozen_.begin(), frozen_.end(), [&](const FaceTriangle& u) {
@@ -159,7 +182,7 @@ class Agenda3 {
       for (const std::uint32_t face : live.faces_of(live.feature(v))) {
         const Delaunay2& dt = live.face(face).triangulation();
         for (const TriangleId t : dt.born()) {
-          if (dt.is_ghost(t)) continue;
+          if (dt.is_ghost(t) || live.is_pocket(face, dt.triangle(t))) continue;
           const FaceTriangle born{face, t, dt.triangle(t).birth};
           ask(born, rules.unacceptable(view, born));
         }
@@ -183,7 +206,7 @@ class Agenda3 {
         const Delaunay2& dt = live.face(face).triangulation();
         dt.for_each_outgoing(live.local(u, face), [&](HalfEdge h) {
           const TriangleId t = h / 4;
-          if (!dt.is_ghost(t)) {
+          if (!dt.is_ghost(t) && !live.is_pocket(face, dt.triangle(t))) {
             const FaceTriangle at{face, t, dt.triangle(t).birth};
             ask(at, rules.near_vertex(view, at, u, v));
           }
@@ -216,6 +239,8 @@ class Agenda3 {
   std::vector<Item> heap_;
   std::uint64_t pushed_ = 0;
   std::vector<bool> segment_waits_;
+  std::vector<VertexId>
+      witnesses_;  // by subsegment: for which it, or what it is a half of, was queued
   std::vector<std::vector<std::uint32_t>>
       triangle_waits_;  // by face and slot: the birth that waits
   std::vector<FaceTriangle> frozen_;

@@ -88,7 +88,8 @@ class Loop final : public StageOf<World> {
       if constexpr (std::is_same_v<Simplex, SubsegmentId>) w.recorder.dropped(s, Reason::kDied);
       return;
     }
-    const Verdict why = view_->in_domain(s) ? rules_.unacceptable(*view_, s) : Verdict{};
+    Verdict why = view_->in_domain(s) ? rules_.unacceptable(*view_, s) : Verdict{};
+    if (!why) why = agenda_.remembered(*view_, rules_, s);
     // What a circumcenter yielded to is split, as long as the simplex that proposed it is alive.
     if (!why && !view_->alive(proposer)) {
       view_->found_acceptable(s);

@@ -36,7 +36,7 @@ bool Recorder3::append(std::uint32_t face, const Delaunay2::Triangle& t) {
   const FaceRefinement& refinement = live_.face(face);
   for (const VertexId v : t.v) stream_.push_back(refinement.global(v).value);
   stream_.push_back(kNoIndex);
-  stream_.push_back(face * 4 + (refinement.inside(t) ? kTracedInside : kTracedOutside));
+  stream_.push_back(face * 4 + (live_.is_inside(face, t) ? kTracedInside : kTracedOutside));
   return true;
 }
 
