@@ -46,7 +46,8 @@ class Agenda3 {
         by_birth.clear();
         const Delaunay2& dt = live.face(face).triangulation();
         dt.for_each_triangle([&](TriangleId t) {
-          by_birth.push_back({face, t, dt.triangle(t).birth});
+          const Delaunay2::Triangle& triangle = dt.triangle(t);
+          if (!live.is_pocket(face, triangle)) by_birth.push_back({face, t, triangle.birth});
         });
         std::sort(by_birth.begin(), by_birth.end(),
                   [](const FaceTriangle& a, const FaceTriangle& b) { return a.birth < b.birth; });
