@@ -97,7 +97,7 @@ export const texts = {
     bounds: 'What is proved at this moment',
     noBounds: 'Of this moment chapter 4 says nothing about |s|; go to the end of a step.',
     gone: 'This subsegment is not in the mesh at this moment.',
-    ofBound: (percent: string) => `|s| is ${percent} of it`,
+    ofBound: (times: string) => `|s| is ${times} times that`,
   },
   /** One face alone in its own plane. */
   face: {
@@ -135,6 +135,23 @@ export const texts = {
     document: 'Input',
     guarantee: 'Guarantee',
     source: 'Source',
+  },
+  /** Counts by step in space. */
+  steps: {
+    step: 'step',
+    vertices: 'vertices',
+    segments: 'segments',
+    triangles: 'triangles of faces',
+    now: 'now',
+    reference: (source: string) => `${source} has`,
+    /** Why chapter 4 takes five steps. */
+    why: {
+      '0': 'The input vertices alone are tetrahedralized. In it the nearest neighbor of an input vertex is as far as lfs₀ there: the first size that is known.',
+      '1a': 'Every segment is cut at a third of that distance from its input vertices. From now on end segments at one vertex are equally long, and those at different vertices are far apart.',
+      '1b': 'Segments that are long against their distance from other segments and vertices are halved, the longest first: it ends with |s| ≤ √2 fs₁(s). Faces are not looked at.',
+      '2a': 'Every segment is cut into four, so that no segment or vertex is left near another one. What is still too near can only be a face.',
+      '2b': 'Triangles of faces are split where something outside of the face is near, and segments where a face is: it ends with |s| ≤ 5/3 lfs(s).',
+    } as Readonly<Record<string, string>>,
   },
   rules: {
     action: 'Action',

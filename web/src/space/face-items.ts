@@ -18,21 +18,24 @@ export function faceItems(complex: Complex3, face: number, theme: PictureTheme):
 
 const ballNames = { fs1: 'fs₁', lfs: 'lfs' };
 
-/** A ball of a feature size at the subsegment whose it is: the two features that it meets, and where. */
+/** A ball of a feature size at a subsegment of input segment `own`: the two features that it meets, and where. */
 export function ballItems(
   complex: Complex3,
   { radius, center, witnesses }: FeatureBall3,
   name: 'fs1' | 'lfs',
   theme: PictureTheme,
+  own: number,
 ): SpaceItems {
   const items = noSpaceItems();
   if (!Number.isFinite(radius) || witnesses.length < 2) return items;
   const color = theme.featureSize;
   // The rim tells the two apart: dashed where faces do not count.
   const dash = name === 'fs1' ? 'dashed' : 'solid';
-  items.spheres.push({ center, radius, color, opacity: 0.16, width: 1.8, dash });
+  items.spheres.push({ center, radius, color, opacity: 0.11, width: 1.8, dash });
   for (const witness of witnesses) {
-    append(items, featureItems(complex, witness, color));
+    // Its own input segment lies beneath it, and would cover it.
+    if (witness.kind !== 'segment' || witness.index !== own)
+      append(items, featureItems(complex, witness, color));
     items.lines.push({ a: center, b: witness.at, color, width: 1.8, dash: 'dotted' });
     const ring = { fill: theme.background, stroke: color, width: 2 };
     items.marks.push({ at: witness.at, shape: 'disc', size: 9, ...ring });
@@ -56,7 +59,7 @@ function featureItems(complex: Complex3, { kind, index }: Witness3, color: strin
     if (a && b) items.lines.push({ a, b, color, width, opacity: 0.6 });
   };
   const segment = kind === 'segment' ? complex.segments[index] : undefined;
-  if (segment) line(segment[0], segment[1], 6);
+  if (segment) line(segment[0], segment[1], 5);
   const face = kind === 'face' ? complex.faces[index] : undefined;
   for (const [v, w] of face ? sidesOf(face) : []) line(v, w, 4);
   return items;

@@ -11,6 +11,13 @@ export interface Example {
   readonly options: RunOptions;
   readonly compare: RunOptions | null; // a second algorithm beside the first one
   readonly numerics: NumericsOptions | null; // what is measured on the mesh
+  readonly reference: Reference | null; // what the literature counts
+}
+
+/** Counts of vertices after each step, as a source has them for these options. */
+export interface Reference {
+  readonly source: string;
+  readonly vertices: Readonly<Record<string, number>>; // by name of the step
 }
 
 const urls = import.meta.glob(
@@ -61,6 +68,7 @@ interface Entry {
   readonly options?: RunOptions;
   readonly compare?: RunOptions;
   readonly numerics?: Partial<NumericsOptions>;
+  readonly reference?: Reference;
 }
 
 function parse(index: unknown): Example[] {
@@ -73,5 +81,6 @@ function parse(index: unknown): Example[] {
     options: { ...(e.algorithm ? { algorithm: e.algorithm } : {}), ...e.options },
     compare: e.compare ?? null,
     numerics: e.numerics ? { ...measured, ...e.numerics } : null,
+    reference: e.reference ?? null,
   }));
 }

@@ -50,9 +50,10 @@ function extras({ face, first, segment, settings }: App, theme: PictureTheme): S
   if (face.open) append(items, faceItems(refined, face.index, theme));
   const { balls, drawn } = segment;
   const { vertex, subsegment } = first.spacePicked ?? noHit;
-  if (balls && balls.subsegment === subsegment) {
-    if (drawn !== 'lfs') append(items, ballItems(refined, balls.fs1, 'fs1', theme));
-    if (drawn !== 'fs1') append(items, ballItems(refined, balls.lfs, 'lfs', theme));
+  if (balls && subsegment !== null && balls.subsegment === subsegment) {
+    const own = trace.subsegments.at(3 * subsegment + 2);
+    if (drawn !== 'lfs') append(items, ballItems(refined, balls.fs1, 'fs1', theme, own));
+    if (drawn !== 'fs1') append(items, ballItems(refined, balls.lfs, 'lfs', theme, own));
   }
   if (vertex !== null && vertex < trace.vertexCount && settings.overlays.ancestry) {
     const chain = first.overlays.ancestry?.chain(vertex) ?? [];
