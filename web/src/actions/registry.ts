@@ -431,7 +431,7 @@ const space: Action[] = [
     id: 'face',
     title: texts.face.show,
     group: 'Space',
-    keys: ['a'],
+    keys: ['o'],
     enabled: hasFaces,
     pressed: () => app.face.open,
     perform: toggleFace,
