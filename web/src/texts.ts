@@ -328,6 +328,8 @@ export const texts = {
       input: 'of the input',
       box: 'a corner of the box',
       division: (segment: number) => `divides input segment ${segment}, by its length alone`,
+      third: (segment: number) =>
+        `divides input segment ${segment}, a third of the way to the nearest neighbor of its end`,
       protection: (v: number) => `protects the acute angle at vertex ${v}`,
       encroached: (split: string, v: number) =>
         `splits ${split}, upon which vertex ${v} encroached`,

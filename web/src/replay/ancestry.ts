@@ -16,6 +16,8 @@ export type Cause =
   | { readonly kind: 'input' | 'box'; readonly parent: typeof NONE }
   /** A point that divides a segment by a rule about its length alone: nothing in the mesh caused it. */
   | { readonly kind: 'division'; readonly parent: typeof NONE; readonly segment: number }
+  /** Step 1a in space: a third of the way from an input vertex to its nearest neighbor. */
+  | { readonly kind: 'third'; readonly parent: typeof NONE; readonly segment: number }
   /** At distance d of the acute input vertex that it protects. */
   | { readonly kind: 'protection'; readonly parent: number }
   /** Case 1: a vertex encroached upon the subsegment or arc (or was a witness in its diametral disk). */
@@ -66,13 +68,15 @@ export class Ancestry {
       case Reason.division:
       case Reason.equalLength:
         return { kind: 'division', parent: NONE, segment: birth.segment };
+      case Reason.third:
+        return { kind: 'third', parent: NONE, segment: birth.segment };
       case Reason.collar:
       case Reason.circle:
         return { kind: 'protection', parent: this.protection.centerOf(v) };
     }
     const index = this.queuedBy.at(v);
     const queued = index === NONE ? null : trace.event(index);
-    if (trace.dimension === 3 && queued?.reason === Reason.witness && queued.subject !== NONE)
+    if (queued && isNear(queued))
       return { kind: 'nearer', parent: queued.subject, split: birth.simplex };
     if (birth.dimension >= 2) {
       const edge = this.shortestEdge(birth.simplex);
@@ -153,6 +157,12 @@ function key(e: TraceEvent): Record4 {
   if (e.simplex.length === 3) return [...canonical(a!, b!, c!), NONE];
   if (e.simplex.length < 2) return [NONE, NONE, NONE, NONE];
   return [Math.min(a!, b!), Math.max(a!, b!), NONE, NONE];
+}
+
+function isNear(e: TraceEvent): boolean {
+  const { nearWitness, nearLocalWitness, nearVertex } = Reason;
+  const reasons: number[] = [nearWitness, nearLocalWitness, nearVertex];
+  return reasons.includes(e.reason) && e.subject !== NONE;
 }
 
 function hasWitness(e: TraceEvent): boolean {

@@ -13,7 +13,7 @@ import {
 } from '../shared/types.ts';
 import { Kind, NONE } from './event.ts';
 import { type FacePlane, heightOver, toPlane } from './face-plane.ts';
-import { centroid, point3 } from './geometry3.ts';
+import { type Ball3, centroid, point3 } from './geometry3.ts';
 import type { Lives } from './lives.ts';
 import type { Trace } from './trace.ts';
 
@@ -22,6 +22,7 @@ export interface Outsider {
   readonly vertex: number;
   readonly at: Point; // its projection
   readonly height: number; // signed, positive on the normal's side
+  readonly near: Point | null; // the vertex of the face that it is too near to
 }
 
 /**
@@ -162,12 +163,22 @@ export class FaceReplay {
       rule: moment.rule,
       simplex: acts ? simplex : [],
       witness: seen ? witness : null,
-      ball: acts && ball ? { center: toPlane(this.plane, ball.center), radius: ball.radius } : null,
+      ball: acts && ball ? this.cut(ball) : null,
       ghost: acts && ghost ? toPlane(this.plane, ghost) : null,
       yieldTo: acts && moment.yieldTo?.every((v) => this.has(v)) ? moment.yieldTo : null,
       vertex: landed ? vertex : null,
       change: null,
       sentence: moment.sentence,
+    };
+  }
+
+  /** Where the plane meets a ball: centers of balls may lie beside it, in the spindle of a subsegment. */
+  private cut({ center, radius }: Ball3): Moment['ball'] {
+    const height = heightOver(this.plane, center);
+    if (!(Math.abs(height) < radius)) return null;
+    return {
+      center: toPlane(this.plane, center),
+      radius: Math.sqrt((radius - height) * (radius + height)),
     };
   }
 
@@ -198,7 +209,16 @@ export class FaceReplay {
     if (witness === null || this.has(witness) || simplex.length === 0) return null;
     if (!simplex.every((v) => this.has(v)) || witness >= this.trace.vertexCount) return null;
     const p = point3(this.trace.coordinates.data, witness);
-    return { vertex: witness, at: toPlane(this.plane, p), height: heightOver(this.plane, p) };
+    const { near } = moment;
+    return {
+      vertex: witness,
+      at: toPlane(this.plane, p),
+      height: heightOver(this.plane, p),
+      near:
+        near !== null && this.has(near)
+          ? toPlane(this.plane, point3(this.trace.coordinates.data, near))
+          : null,
+    };
   }
 
   /** The face of the input as a complex of the plane, its vertices numbered anew; `vertices` has their numbers in space. */

@@ -4,6 +4,7 @@ import {
   type Moment3,
   type MomentKind,
   type Point,
+  type Point3,
   type RuleName,
 } from '../shared/types.ts';
 import { Kind, NONE, Reason, type TraceEvent } from './event.ts';
@@ -57,7 +58,7 @@ export function momentAt(
       dimension: 3,
       ...nearness(replay, e),
       ...(acting && !isNear(e) ? { ball: circumball(corners) } : {}),
-      ghost: hasGhost ? e.place : null,
+      ghost: hasGhost ? e.place : refusedCenter(e, corners),
       face: face === NONE ? null : face,
       facets: trace.facetLives?.changed(e.index).born ?? new Uint32Array(0),
     };
@@ -140,6 +141,13 @@ function witnessOf(e: TraceEvent): number | null {
       e.reason === Reason.tooLong ||
       isNear(e));
   return hasWitness && e.subject !== NONE ? e.subject : null;
+}
+
+/** Safety judges the circumcenter of a face's triangle (Algorithm 4.3) before it is proposed: the record has no place of it. */
+function refusedCenter(e: TraceEvent, corners: readonly Point3[]): Point3 | null {
+  const judged =
+    e.kind === Kind.refused && (e.reason === Reason.outsideFace || e.reason === Reason.nearSegment);
+  return judged && corners.length === 3 ? (circumball(corners)?.center ?? null) : null;
 }
 
 /** A refusal without a point has its place at the origin of the record: it is not drawn. */

@@ -39,6 +39,8 @@ export function causeText(cause: Cause, splitSegment: number, face = NONE): stri
       return t.causes.box;
     case 'division':
       return t.causes.division(cause.segment);
+    case 'third':
+      return t.causes.third(cause.segment);
     case 'protection':
       return t.causes.protection(cause.parent);
     case 'encroached':
