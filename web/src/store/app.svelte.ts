@@ -178,9 +178,10 @@ export class App {
 
   /** Each dimension has algorithms of its own, and no others; in space nothing is drawn or measured. */
   private settleDimension(): void {
+    const first = this.algorithms.find((a) => a.id === 'feature-size') ?? this.algorithms[0];
     for (const { parameters } of this.panes) {
-      if (this.algorithms.length > 0 && !this.algorithms.some((a) => a.id === parameters.algorithm))
-        parameters.adopt({ algorithm: this.algorithms[0]!.id });
+      if (first && !this.algorithms.some((a) => a.id === parameters.algorithm))
+        parameters.adopt({ algorithm: first.id });
     }
     if (!this.inSpace) return;
     this.mode = 'watch';
