@@ -46,6 +46,27 @@ TEST(Lemma4_18, HoldsWhereAWitnessIsHiddenByAnotherFace) {
   }
 }
 
+// Not proved: the thesis asks whether it is so (4.2, last paragraphs).
+TEST(Theorems4_1And4_2, HoldAlsoWhereStep2aSplitsIntoHalvesOrAdaptively) {
+  for (const char* how : {"halves", "adaptive"}) {
+    Options options = testing::options_of("feature-size");
+    options.parameters["step2a"] = how;
+    options.limits.max_vertices = kMaxVertices;
+    const std::uint64_t count = testing::cases(20);
+    for (std::uint64_t number = 3000; number < 3000 + count; ++number) {
+      const Complex complex = testing::random_complex3(number, 15, 1 + number % 2);
+      const auto run = testing::finish(complex, options);
+      ASSERT_TRUE(run) << "complex " << number << " is not valid";
+      if (run->status() != Status::kComplete) continue;  // the limit
+      VerifyOptions checks = promised_checks(*run);
+      checks.checks = {"segment-lower", "segment-upper"};
+      for (const Check& c : verify(run->mesh(), run->complex(), checks)) {
+        EXPECT_TRUE(c.ok) << how << " " << number << ": " << c.detail;
+      }
+    }
+  }
+}
+
 TEST(Theorems4_1And4_2, HoldWithTheLemmasAfterEachStepOnHundredsOfRandomComplexes) {
   Chapter4Watch::Range after_1b, after_2a, lower, upper;
   std::size_t looked_at = 0, complete = 0;

@@ -73,11 +73,28 @@ class Surroundings {
 std::vector<SubsegmentId> not_known_to_be_short(const Live3& live,
                                                 const std::vector<SubsegmentId>& subsegments) {
   Surroundings surroundings(live);
-  std::vector<SubsegmentId> in_doubt;
+  std::vector<bool> in_doubt(live.subsegment_count(), false);
+  std::vector<SubsegmentId> stack;
+  const auto doubt = [&](SubsegmentId s) {
+    if (!in_doubt[s.value]) stack.push_back(s);
+    in_doubt[s.value] = true;
+  };
   for (const SubsegmentId s : subsegments) {
-    if (surroundings.has_disjoint_features_near(s)) in_doubt.push_back(s);
+    if (surroundings.has_disjoint_features_near(s)) doubt(s);
   }
-  return in_doubt;
+  while (!stack.empty()) {
+    const Subsegment& s = live.subsegment(stack.back());
+    stack.pop_back();
+    for (const VertexId end : {s.a, s.b}) {
+      if (!live.is_input_vertex(end)) continue;
+      for (const SubsegmentId other : live.subsegments_at(end)) doubt(other);
+    }
+  }
+  std::vector<SubsegmentId> found;
+  for (const SubsegmentId s : subsegments) {
+    if (in_doubt[s.value]) found.push_back(s);
+  }
+  return found;
 }
 
 }  // namespace circumball

@@ -9,7 +9,9 @@ namespace circumball {
 
 /// Of these subsegments those for which |s| <= lfs_1(s) / (2 sqrt 2) (Lemma 4.10) is in doubt: two
 /// disjoint features of dimension at most 1 come nearer to s than 2 sqrt 2 |s|, though perhaps not
-/// to the same point of it. The option `adaptive` of step 2a.
+/// to the same point of it. The option `adaptive` of step 2a. With an end segment all of Spind(s)
+/// is taken: Lemma 4.18 needs end segments of equal lengths at a vertex, and fails without (4 times
+/// its bound was seen).
 ///
 /// Features are found by walking the Delaunay neighbors that are near: vertices in a ball are
 /// connected by Delaunay edges in it. A segment that comes so near has a vertex near, as step 1b
