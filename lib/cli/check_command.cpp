@@ -45,9 +45,9 @@ std::string summary(const ReadResult& input) {
 
 int check_command(const CheckArguments& arguments) {
   const ReadResult input = read_input(arguments.input, arguments.reading);
-  if (print_defects(input.defects)) return kInvalidInput;
+  if (print_defects(input.defects, input.complex.dimension)) return kInvalidInput;
   std::fputs(summary(input).c_str(), stdout);
-  if (print_defects(check(input.complex))) return kInvalidInput;
+  if (print_defects(check(input.complex), input.complex.dimension)) return kInvalidInput;
   // Only now: an angle between segments that are invalid means nothing.
   std::printf("%s",
               fmt::format("smallest angle: {:.6g} degrees\ndefault algorithm: {}\nvalid\n",

@@ -17,10 +17,10 @@ int convert_command(const ConvertArguments& arguments) {
     return kUsage;
   }
   const ReadResult input = read_input(arguments.input, arguments.reading);
-  if (print_defects(input.defects)) return kInvalidInput;
+  if (print_defects(input.defects, input.complex.dimension)) return kInvalidInput;
   // Crossings may be written; what refers to nothing may not. Then all that is wrong is told.
   if (!check_numbers(input.complex, 1).empty()) {
-    print_defects(check(input.complex));
+    print_defects(check(input.complex), input.complex.dimension);
     return kInvalidInput;
   }
 

@@ -137,7 +137,7 @@ int mesh_command(const MeshArguments& arguments) {
   if (!read_sizing(&options.size, &error)) return usage(error);
 
   const ReadResult input = read_input(arguments.input, arguments.reading);
-  if (print_defects(input.defects)) return kInvalidInput;
+  if (print_defects(input.defects, input.complex.dimension)) return kInvalidInput;
   if (!complete_options(arguments, input.complex, &options, &error)) return usage(error);
   if (!known_extensions(destinations, input.complex.dimension, options.algorithm, &error)) {
     return usage(error);
@@ -147,7 +147,8 @@ int mesh_command(const MeshArguments& arguments) {
   std::vector<Defect> defects;
   const std::unique_ptr<Run> run = Run::create(
       input.complex, options, arguments.trace.empty() ? nullptr : &trace, &defects, &error);
-  if (print_defects(defects) || (!run && error.empty())) return kInvalidInput;
+  if (print_defects(defects, input.complex.dimension) || (!run && error.empty()))
+    return kInvalidInput;
   if (!run) return usage(error);
   {
     ProgressLine line(arguments.progress && !arguments.quiet);

@@ -29,7 +29,7 @@ std::string number(const std::optional<double>& value) {
 
 }  // namespace
 
-std::string describe(const Defect& defect) {
+std::string describe(const Defect& defect, int dimension) {
   std::string line =
       fmt::format("{}: {}: {}", defect.warning ? "warning" : "error", defect.name, defect.message);
   std::string place;
@@ -40,8 +40,8 @@ std::string describe(const Defect& defect) {
   for (std::size_t i = 0; i < defect.at.size(); ++i) {
     const Point3& p = defect.at[i];
     line += i == 0 ? " at " : ", ";
-    line +=
-        p.z == 0 ? fmt::format("({}, {})", p.x, p.y) : fmt::format("({}, {}, {})", p.x, p.y, p.z);
+    line += dimension == 2 ? fmt::format("({}, {})", p.x, p.y)
+                           : fmt::format("({}, {}, {})", p.x, p.y, p.z);
   }
   // One defect a line, whatever bytes of the file the sentence quotes.
   for (char& c : line) {
@@ -50,10 +50,10 @@ std::string describe(const Defect& defect) {
   return line;
 }
 
-bool print_defects(const std::vector<Defect>& defects) {
+bool print_defects(const std::vector<Defect>& defects, int dimension) {
   bool fatal = false;
   for (const Defect& defect : defects) {
-    std::fprintf(stderr, "%s\n", describe(defect).c_str());
+    std::fprintf(stderr, "%s\n", describe(defect, dimension).c_str());
     fatal = fatal || !defect.warning;
   }
   return fatal;

@@ -38,9 +38,10 @@ int verify_command(const VerifyArguments& arguments) {
     mesh_file.replace(mesh_file.size() - node.size(), node.size(), ".ele");
   }
   const ReadResult mesh = read_input(mesh_file);
-  const bool bad_input = print_defects(input.defects);
-  const bool bad_mesh = print_defects(mesh.defects);
-  if (bad_input || bad_mesh || print_defects(check(input.complex))) return kInvalidInput;
+  const bool bad_input = print_defects(input.defects, input.complex.dimension);
+  const bool bad_mesh = print_defects(mesh.defects, mesh.complex.dimension);
+  if (bad_input || bad_mesh || print_defects(check(input.complex), input.complex.dimension))
+    return kInvalidInput;
   if (!mesh.mesh) {
     print_error(fmt::format("'{}' ({}) holds no mesh", mesh_file, mesh.format));
     return kInvalidInput;

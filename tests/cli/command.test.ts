@@ -356,6 +356,49 @@ describe.each(commands)('%s', (_, command) => {
     );
   });
 
+  it('sizes in space writes the estimate at every segment, and they verify', () => {
+    const example = join(import.meta.dirname, '../../examples/three-squares.json');
+    const { code, out } = bench.run(
+      ...['sizes', example, '--verify', '-o', 'sizes.csv', '-o', 'sizes.json'],
+      ...['--report', 'sizes-report.json'],
+    );
+    expect(code).toBe(0);
+    expect(out).toContain('segment-upper');
+    const [head, ...rows] = bench.text('sizes.csv').trim().split('\n');
+    expect(head).toBe('segment,a,b,length,fs1_at_least,lfs_at_least');
+    const { mesh, vertices } = bench.json('sizes.json');
+    expect(rows.length).toBe(mesh.edges.length);
+    rows.forEach((row, i) => {
+      const [segment, a, b, length] = row.split(',').map(Number) as [
+        number,
+        number,
+        number,
+        number,
+      ];
+      expect([a, b, segment]).toEqual(mesh.edges[i]);
+      expect(Math.hypot(...[0, 1, 2].map((k) => vertices[a][k] - vertices[b][k]))).toBeCloseTo(
+        length,
+        12,
+      );
+    });
+    const report = bench.json('sizes-report.json');
+    expect(report.dimension).toBe(3);
+    expect(report.steps.map((step: { name: string }) => step.name)).toEqual([
+      '0',
+      '1a',
+      '1b',
+      '2a',
+      '2b',
+    ]);
+    expect(report.mesh.min_dihedral_degrees).toBeGreaterThan(0);
+  });
+
+  it('only feature sizes are written as a table', () => {
+    expect(bench.run('sizes', 'square.poly', '-o', 'square.csv').code).toBe(0);
+    expect(bench.text('square.csv').split('\n').length).toBe(6);
+    expect(bench.run('mesh', 'square.poly', '-o', 'square.csv').code).toBe(2);
+  });
+
   it('sizes is mesh --algorithm feature-size', () => {
     const sizes = bench.run('sizes', 'square.poly');
     const mesh = bench.run('mesh', 'square.poly', '--algorithm', 'feature-size');
