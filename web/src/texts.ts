@@ -118,7 +118,7 @@ export const texts = {
       `${formatCount(vertices)} vertices, ${formatCount(triangles)} triangles`,
     elsewhere: (f: number) => `Now in face ${f}`,
     outsider: (v: number, height: string, above: boolean) =>
-      `${v}: ${height} ${above ? 'before' : 'behind'} the face`,
+      `vertex ${v}, ${height} ${above ? 'before' : 'behind'} the face`,
     none: 'This face has no plane.',
     needsRun: 'Refine the input to see the triangulation of the face.',
   },
