@@ -22,11 +22,14 @@ enum class EventKind : std::uint8_t {
   kRefused =
       4,  ///< `simplex` was popped, and is not safe to split: `reason`; `at` is the refused point
   kYielded = 5,  ///< `simplex` proposed `at`, which encroaches subsegment `other` (input segment
-                 ///< `subject`): that is queued, `simplex` goes back
+                 ///< `subject`): that is queued, `simplex` goes back. In space also a triangle of
+                 ///< face `subject`: two corners in `other`, and `value` is the third plus 1; of a
+                 ///< subsegment `value` is 0
   kInserted =
       6,  ///< vertex `subject` inserted at `at`, splitting `simplex` (popped): died[other[0]],
           ///< born[other[1]] follow in the simplex stream; `value` is the insertion radius
-  kRelabeled = 7,    ///< triangles got a new domain label: as kInserted, but without a vertex
+  kRelabeled = 7,    ///< triangles (in space: tetrahedra) got a new domain label: as kInserted, but
+                     ///< without a vertex
   kLimit = 8,        ///< a limit stopped the run: `reason`
   kFaceChanged = 9,  ///< in space, after the insertion that it belongs to (or at the end of step
                      ///< 0): died[other[0]], born[other[1]] triangles of the refinement of face

@@ -1,5 +1,6 @@
 #include "algorithms/feature_size3.h"
 #include "algorithms/plan.h"
+#include "algorithms/ruppert3.h"
 #include "algorithms/sweeps3.h"
 #include "refinement/loop.h"
 
@@ -21,12 +22,19 @@ Step2a step2a(const Settings& settings) {
 
 std::vector<std::unique_ptr<Stage3>> plan_in_space(const Settings& settings) {
   std::vector<std::unique_ptr<Stage3>> steps;
-  steps.push_back(insert_vertices_in_space());
+  steps.push_back(insert_vertices_in_space(settings.algorithm == "ruppert"));
   if (settings.algorithm == "feature-size") {
     steps.push_back(split_at_thirds());
     steps.push_back(loop("1b", "Estimate the 1-feature size on all segments", FeatureSize1b{}));
     steps.push_back(split_into_parts(step2a(settings)));
     steps.push_back(loop("2b", "Estimate the local feature size on all segments", FeatureSize2b{}));
+  } else if (settings.algorithm == "ruppert") {
+    steps.push_back(loop("1", "Split encroached segments and triangles of faces", Conform3{}));
+    steps.push_back(classify_cells());
+    Ruppert3 rules;
+    rules.tau = settings.tau;
+    rules.size = settings.size;
+    steps.push_back(loop("2", "Ruppert's algorithm", rules));
   }
   return steps;
 }

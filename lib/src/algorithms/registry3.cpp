@@ -60,7 +60,35 @@ std::vector<AlgorithmInfo> algorithms_in_space() {
       "\\mathrm{lfs}(s)) \\le |s|$, the latter throughout (Theorems 4.1 and 4.2).";
   feature_size.checks = {"topology", "delaunay",      "input-vertices",
                          "volume",   "segment-lower", "segment-upper"};
-  return {delaunay, feature_size};
+
+  AlgorithmInfo ruppert;
+  ruppert.id = "ruppert";
+  ruppert.title = "Ruppert's algorithm in space";
+  ruppert.dimension = 3;
+  ruppert.thesis = "Algorithm 6.2 without protection (Shewchuk 1998)";
+  ruppert.action =
+      "Insert the circumcenter of a simplex, unless it encroaches upon the diametral ball of a "
+      "simplex of lower dimension, a segment or a triangle of a face: this is queued instead.";
+  ruppert.priority = "Simplices are prioritized by dimension, lower ones are processed first.";
+  ruppert.unacceptability =
+      "A segment, or a Delaunay triangle of a face, is unacceptable if its diametral ball is not "
+      "empty. A tetrahedron $t$ is unacceptable if its radius-edge ratio is greater than $\\tau$.";
+  ruppert.safety = "It is safe to split any simplex.";
+  ruppert.parameters = {
+      {"tau", "2.1", "0.6", "1000",
+       "radius-edge threshold: circumradius over shortest edge; above 2 the end is proved"},
+      {"size", "0", "0", "1e55", "upper bound on the circumradius of every tetrahedron; 0: none"},
+      box};
+  ruppert.guarantee =
+      "Where segments and faces meet at right or obtuse angles and $\\tau > 2$ it ends; then every "
+      "segment is a union of edges, every face a union of facets, and every tetrahedron has a "
+      "radius-edge ratio of at most $\\tau$. Dihedral angles have no bound. Sharp angles may keep "
+      "it "
+      "from ending.";
+  ruppert.checks = {"topology",    "delaunay", "input-vertices", "input-segments",
+                    "input-faces", "volume",   "radius-edge"};
+  ruppert.default_domain = "closed";
+  return {delaunay, feature_size, ruppert};
 }
 
 }  // namespace circumball

@@ -7,6 +7,7 @@
 #include "algorithms/settings.h"
 #include "complex/export2.h"
 #include "complex/export3.h"
+#include "complex/solid_domain.h"
 
 namespace circumball {
 namespace {
@@ -44,7 +45,10 @@ void settle_domain(Live2* live, Recorder* recorder) {
   }
   recorder->relabeled(live->take_relabeled());
 }
-void settle_domain(Live3*, Recorder3*) {}  // the whole convex hull
+void settle_domain(Live3* live, Recorder3* recorder) {
+  // Estimates of feature sizes leave the whole convex hull as it is.
+  if (live->domain() == Domain::kClosed || live->classified()) recorder->relabeled(classify(live));
+}
 
 /// With the box where the domain is one.
 Complex prepared(const Complex& input, const Settings& settings) {

@@ -7,6 +7,7 @@
 
 #include "algorithms/sweeps.h"
 #include "circumball/registry.h"
+#include "complex/enclosure.h"
 #include "complex/live2.h"
 #include "delaunay/constructions.h"
 #include "predicates/elementary.h"
@@ -85,7 +86,8 @@ std::string settle(const Complex& complex, Options* options, Settings* settings)
       if (("|" + known->min + "|").find("|" + text + "|") != std::string::npos) continue;
       return "'" + name + "' must be one of " + known->min;
     }
-    if (name == "size" && info->id != "chew" && !parse_number(text, &value)) {
+    if (name == "size" && info->id != "chew" && complex.dimension == 2 &&
+        !parse_number(text, &value)) {
       const std::string error = settle_sizing(complex, text, settings);
       if (!error.empty()) return error;
       continue;
@@ -122,6 +124,16 @@ std::string settle(const Complex& complex, Options* options, Settings* settings)
   if (!options->min_angle_degrees && values.count("min-angle")) {
     options->min_angle_degrees = number("min-angle");
   }
+  const bool takes_angle = complex.dimension == 2;
+  if (!takes_angle && options->min_angle_degrees) {
+    return "in space no dihedral angle follows from a radius-edge threshold: give tau";
+  }
+  if (!takes_angle && !options->tau) {
+    for (const ParameterInfo& p : info->parameters) {
+      double value = 0;
+      if (p.name == "tau" && parse_number(p.default_value, &value)) options->tau = value;
+    }
+  }
   if (options->tau && !options->min_angle_degrees) {
     settings->tau = *options->tau;
   } else {
@@ -132,19 +144,21 @@ std::string settle(const Complex& complex, Options* options, Settings* settings)
   values.erase("tau");
   values.erase("min-angle");
   if (values.count("step2a")) settings->step2a = values["step2a"];
-  const bool encloses = complex.dimension == 2 && encloses_something(complex);
+  const bool conforms = !(complex.dimension == 3 && info->default_domain == "hull");
+  const bool encloses = conforms && (complex.dimension == 2 ? encloses_something(complex)
+                                                            : faces_enclose_something(complex));
   if (options->domain == Domain::kDefault) {
     options->domain = info->default_domain == "hull" ? Domain::kHull
                       : encloses                     ? Domain::kClosed
                                                      : Domain::kBox;
   }
-  if (options->domain == Domain::kClosed && complex.dimension == 3) {
+  if (options->domain == Domain::kClosed && !conforms) {
     return "in space the domain `closed` needs a mesh that conforms to the faces, which '" +
            info->id + "' does not make: use `hull` or `box`";
   }
   if (options->domain == Domain::kClosed && !encloses) {
-    return "the segments enclose nothing, so that the domain `closed` is empty: use `box` or "
-           "`hull`";
+    return std::string(complex.dimension == 2 ? "the segments" : "the faces") +
+           " enclose nothing, so that the domain `closed` is empty: use `box` or `hull`";
   }
   settings->domain = options->domain;
   if (values.count("box-scale")) settings->box_scale = number("box-scale");

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "algorithms/short_segments.h"
+#include "complex/solid_domain.h"
 #include "refinement/split_at3.h"
 
 namespace circumball {
@@ -12,14 +13,16 @@ namespace {
 
 class InsertVerticesInSpace final : public Stage3 {
  public:
-  InsertVerticesInSpace() : Stage3("0", "Delaunay tetrahedralization of the input vertices") {}
+  explicit InsertVerticesInSpace(bool by_birth)
+      : Stage3("0", "Delaunay tetrahedralization of the input vertices"), by_birth_(by_birth) {}
 
   bool advance(Workspace3& w, Budget&) override {
     Delaunay3& dt = w.live.triangulation();
     const std::uint32_t count = dt.vertex_count();
     dt.reserve(2 * count);
-    if (w.recorder.on()) {
+    if (by_birth_ || w.recorder.on()) {
       dt.insert_batch(0, count, [&](VertexId v) {
+        if (!w.recorder.on()) return;
         const Reason what = w.live.is_box_corner(v) ? Reason::kBox : Reason::kInput;
         w.recorder.inserted(w.recorder.insertion(what), v, 0);
       });
@@ -29,6 +32,18 @@ class InsertVerticesInSpace final : public Stage3 {
     w.inserted = count;
     w.live.create_features();
     for (std::uint32_t f = 0; f < w.live.face_count(); ++f) w.recorder.face_created(f);
+    return true;
+  }
+
+ private:
+  bool by_birth_;
+};
+
+class ClassifyCells final : public Stage3 {
+ public:
+  ClassifyCells() : Stage3("1b", "Tell inside from outside") {}
+  bool advance(Workspace3& w, Budget&) override {
+    w.recorder.relabeled(classify(&w.live));
     return true;
   }
 };
@@ -124,9 +139,10 @@ class SplitIntoParts final : public Stage3 {
 
 }  // namespace
 
-std::unique_ptr<Stage3> insert_vertices_in_space() {
-  return std::make_unique<InsertVerticesInSpace>();
+std::unique_ptr<Stage3> insert_vertices_in_space(bool by_birth) {
+  return std::make_unique<InsertVerticesInSpace>(by_birth);
 }
+std::unique_ptr<Stage3> classify_cells() { return std::make_unique<ClassifyCells>(); }
 std::unique_ptr<Stage3> split_at_thirds() { return std::make_unique<SplitAtThirds>(); }
 std::unique_ptr<Stage3> split_into_parts(Step2a how) {
   return std::make_unique<SplitIntoParts>(how);

@@ -9,8 +9,12 @@
 namespace circumball {
 
 /// Step 0: the Delaunay tetrahedralization of the input vertices (and of the corners of the box).
-/// The subsegments and the refinements of the faces begin.
-std::unique_ptr<Stage3> insert_vertices_in_space();
+/// The subsegments and the refinements of the faces begin. Births of cells depend on the way, so
+/// that what goes by birth later asks for the way with a record (`by_birth`), which is slower.
+std::unique_ptr<Stage3> insert_vertices_in_space(bool by_birth = false);
+
+/// Once the faces are there: which cells belong to the domain (see solid_domain.h).
+std::unique_ptr<Stage3> classify_cells();
 
 /// Step 1a: every segment is split at each of its input vertices q0, at distance N(q0)/3. N(q0) is
 /// measured for all of them before the first split.

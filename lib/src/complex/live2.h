@@ -8,20 +8,12 @@
 
 #include "circumball/complex.h"
 #include "circumball/mesh.h"
+#include "complex/domain_label.h"
 #include "complex/shells.h"
 #include "complex/subsegment.h"
 #include "delaunay/delaunay2.h"
 
 namespace circumball {
-
-/// What a triangle's label says. Regions get kFirstRegion + their index.
-enum DomainLabel : std::uint32_t {
-  kUnknown = 0,  ///< not known yet, or lost when a cavity swallowed a subsegment
-  kInside = 1,
-  kOutside = 2,
-  kFirstRegion = 3,
-  kVisited = 0xfffffff0,  ///< during a local flood only
-};
 
 /// The live refinement C' = (P', S') of a 2D complex (thesis, Definition 2.1.3): the Delaunay
 /// triangulation of all its vertices, its subsegments, and which triangles belong to the domain.

@@ -1,8 +1,23 @@
 #include "complex/live3.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "delaunay/constructions.h"
 
 namespace circumball {
+namespace {
+
+/// Four times the area of a triangle between pieces of straight sides that rounding bent is less
+/// than this part of the square of its longest edge, or four times that edge by the rounding.
+constexpr double kFlatTriangle = 1e-11;
+
+/// Faces at a common segment are in one plane where the sine between them is at most this: twice
+/// what `check` allows a face to deviate from its plane.
+constexpr double kSamePlane = 2e-9;
+
+}  // namespace
 
 Incidence3::Table Incidence3::table(std::size_t rows,
                                     std::vector<std::array<std::uint32_t, 2>>* pairs) {
@@ -72,8 +87,11 @@ Live3::Live3(const Complex& complex, Domain domain)
     : complex_(&complex), incidence_(complex), domain_(domain) {
   features_.reserve(complex.vertices.size());
   for (std::uint32_t i = 0; i < complex.vertices.size(); ++i) {
-    add_vertex(complex.vertices[i], {FeatureKind::kVertex, i});
+    const Point3& p = complex.vertices[i];
+    add_vertex(p, {FeatureKind::kVertex, i});
+    rounding_ = std::max({rounding_, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
   }
+  rounding_ *= 8 * std::numeric_limits<double>::epsilon();
 }
 
 VertexId Live3::add_vertex(const Point3& p, Feature feature) {
@@ -101,6 +119,24 @@ Incidence3::Range Live3::faces_of(const Feature& feature) const {
 bool Live3::lies_in_face(VertexId v, std::uint32_t face) const {
   const Incidence3::Range faces = faces_of(feature(v));
   return std::binary_search(faces.begin(), faces.end(), face);
+}
+
+bool Live3::on_one_segment(VertexId a, VertexId b, VertexId c) const {
+  std::uint32_t segment = kNoIndex;
+  for (const VertexId v : {a, b, c}) {
+    if (feature(v).kind == FeatureKind::kSegment) segment = feature(v).index;
+  }
+  if (segment == kNoIndex) return false;  // three input vertices are not
+  const auto& ends = complex_->segments[segment];
+  for (const VertexId v : {a, b, c}) {
+    const Feature& f = feature(v);
+    const bool on =
+        f.kind == FeatureKind::kSegment
+            ? f.index == segment
+            : f.kind == FeatureKind::kVertex && (f.index == ends[0] || f.index == ends[1]);
+    if (!on) return false;
+  }
+  return true;
 }
 
 bool Live3::disjoint(const Feature& f, const Feature& g) const {
@@ -161,6 +197,7 @@ void Live3::create_features() {
     }
     faces_.back().insert_all();
   }
+  group_faces();
   for (std::uint32_t v = 0; v < complex_->vertices.size(); ++v) {
     local_first_.push_back(static_cast<std::uint32_t>(locals_.size()));
     for (const std::uint32_t f : incidence_.faces_of_vertex(v)) {
@@ -176,6 +213,15 @@ void Live3::link(SubsegmentId s) {
   const Subsegment& u = subsegments_[s.value];
   incident_[u.a.value].push_back(s);
   incident_[u.b.value].push_back(s);
+}
+
+SubsegmentId Live3::subsegment_between(VertexId a, VertexId b) const {
+  if (incident_[b.value].size() < incident_[a.value].size()) std::swap(a, b);
+  for (const SubsegmentId s : incident_[a.value]) {
+    const Subsegment& u = subsegments_[s.value];
+    if (u.a == b || u.b == b) return s;
+  }
+  return SubsegmentId();
 }
 
 std::array<SubsegmentId, 2> Live3::split(SubsegmentId s, VertexId m) {
@@ -217,6 +263,100 @@ VertexId Live3::local(VertexId v, std::uint32_t face) const {
   const auto at = std::lower_bound(faces.begin(), faces.end(), face);
   if (at == faces.end() || *at != face) return VertexId();
   return locals_[local_first_[v.value] + static_cast<std::size_t>(at - faces.begin())];
+}
+
+FaceTriangle Live3::face_triangle(std::uint32_t face, VertexId a, VertexId b, VertexId c) const {
+  const Delaunay2& dt = faces_[face].triangulation();
+  const VertexId p = local(a, face), q = local(b, face), r = local(c, face);
+  if (!p.valid() || !q.valid() || !r.valid()) return {};
+  HalfEdge h = dt.find_edge(p, q);
+  if (h == kNone) return {};
+  if (dt.apex(h) != r) h = dt.twin(h);
+  if (dt.apex(h) != r) return {};
+  return {face, h / 4, dt.triangle(h / 4).birth};
+}
+
+bool Live3::is_in_face(std::uint32_t face, VertexId a, VertexId b, VertexId c) const {
+  return lies_in_face(a, face) && lies_in_face(b, face) && lies_in_face(c, face) &&
+         !on_one_segment(a, b, c) && is_in_polygon(face, a, b, c);
+}
+
+bool Live3::is_in_polygon(std::uint32_t face, VertexId a, VertexId b, VertexId c) const {
+  const FacePlane& plane = faces_[face].plane();
+  const Point2 p = plane.to_plane(triangulation_.point(a)),
+               q = plane.to_plane(triangulation_.point(b)),
+               r = plane.to_plane(triangulation_.point(c));
+  const auto on_sides = [this](VertexId v) {
+    return feature(v).kind == FeatureKind::kVertex || feature(v).kind == FeatureKind::kSegment;
+  };
+  if (on_sides(a) && on_sides(b) && on_sides(c)) {
+    const TriangleShape shape = shape_of(p, q, r);
+    const double longest = std::sqrt(shape.longest2);
+    if (std::fabs(shape.area4) < longest * std::max(kFlatTriangle * longest, 4 * rounding_)) {
+      return false;
+    }
+  }
+  return plane.contains({(p.x + q.x + r.x) / 3, (p.y + q.y + r.y) / 3});
+}
+
+bool Live3::lies_in_group(VertexId v, std::uint32_t group) const {
+  const Incidence3::Range faces = faces_of(feature(v));
+  return std::any_of(faces.begin(), faces.end(),
+                     [&](std::uint32_t f) { return groups_[f] == group; });
+}
+
+bool Live3::is_in_group(VertexId a, VertexId b, VertexId c) const {
+  for (const std::uint32_t f : faces_of(feature(a))) {
+    if (is_in_face(f, a, b, c)) return true;
+    const std::uint32_t group = groups_[f];
+    if (!lies_in_group(b, group) || !lies_in_group(c, group) || on_one_segment(a, b, c)) continue;
+    for (const VertexId v : {a, b, c}) {
+      for (const std::uint32_t g : faces_of(feature(v))) {
+        if (groups_[g] == group && is_in_polygon(g, a, b, c)) return true;
+      }
+    }
+  }
+  return false;
+}
+
+void Live3::group_faces() {
+  groups_ = face_numbers_;
+  const auto root = [&](std::uint32_t f) {
+    while (groups_[f] != f) f = groups_[f] = groups_[groups_[f]];
+    return f;
+  };
+  for (std::uint32_t s = 0; s < complex_->segments.size(); ++s) {
+    const Incidence3::Range faces = incidence_.faces_of_segment(s);
+    for (const std::uint32_t* f = faces.begin(); f != faces.end(); ++f) {
+      for (const std::uint32_t* g = f + 1; g != faces.end(); ++g) {
+        const Point3 &m = faces_[*f].plane().normal(), &n = faces_[*g].plane().normal();
+        const double x = m.y * n.z - m.z * n.y, y = m.z * n.x - m.x * n.z,
+                     z = m.x * n.y - m.y * n.x;
+        if (x * x + y * y + z * z > kSamePlane * kSamePlane) continue;
+        const std::uint32_t a = root(*f), b = root(*g);
+        groups_[std::max(a, b)] = std::min(a, b);
+      }
+    }
+  }
+  for (std::uint32_t f = 0; f < groups_.size(); ++f) groups_[f] = root(f);
+}
+
+void Live3::freeze(const FaceTriangle& t) {
+  if (frozen_triangles_.size() < faces_.size()) frozen_triangles_.resize(faces_.size());
+  auto& frozen = frozen_triangles_[t.face];
+  if (frozen.size() <= t.id) frozen.resize(t.id + 1, kNone);
+  frozen[t.id] = t.birth;
+}
+
+bool Live3::is_frozen(const FaceTriangle& t) const {
+  return t.face < frozen_triangles_.size() && t.id < frozen_triangles_[t.face].size() &&
+         frozen_triangles_[t.face][t.id] == t.birth;
+}
+
+double Live3::volume_bound(CellSlot c) const {
+  const std::uint32_t label = triangulation_.label(c);
+  if (!classified_ || label < kFirstRegion) return 0;
+  return std::max(complex_->regions[label - kFirstRegion].max, 0.0);
 }
 
 bool Live3::probe_faces(const Point3& p, const Feature& feature, VertexId near) {

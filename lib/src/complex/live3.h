@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "circumball/complex.h"
+#include "complex/domain_label.h"
 #include "complex/face_refinement.h"
 #include "complex/subsegment.h"
 #include "delaunay/delaunay3.h"
@@ -16,6 +17,12 @@ namespace circumball {
 struct FaceTriangle {
   std::uint32_t face = kNone;
   TriangleId id = kNone;
+  std::uint32_t birth = 0;
+};
+
+/// A tetrahedron as the queue knows it: slots are reused, births are not.
+struct CellRef {
+  CellSlot slot = kNone;
   std::uint32_t birth = 0;
 };
 
@@ -82,6 +89,8 @@ class Live3 {
   /// The faces that a vertex on this feature belongs to.
   Incidence3::Range faces_of(const Feature& feature) const;
   bool lies_in_face(VertexId v, std::uint32_t face) const;
+  /// Whether some input segment holds all three.
+  bool on_one_segment(VertexId a, VertexId b, VertexId c) const;
   /// Whether two features are disjoint: in a valid complex exactly when they share no input vertex.
   bool disjoint(const Feature& f, const Feature& g) const;
 
@@ -90,6 +99,8 @@ class Live3 {
   const Subsegment& subsegment(SubsegmentId s) const { return subsegments_[s.value]; }
   void freeze(SubsegmentId s) { subsegments_[s.value].frozen = true; }
   const std::vector<SubsegmentId>& subsegments_at(VertexId v) const { return incident_[v.value]; }
+  /// The subsegment with these ends; invalid if there is none.
+  SubsegmentId subsegment_between(VertexId a, VertexId b) const;
   /// Makes a subsegment of every input segment, and the refinement of every face. After the input
   /// vertices are in.
   void create_features();
@@ -109,16 +120,46 @@ class Live3 {
   }
   /// The number of v in the refinement of a face that it lies in; invalid elsewhere.
   VertexId local(VertexId v, std::uint32_t face) const;
+  /// The triangle of the refinement of a face with these corners (numbers in the complex, in any
+  /// order); face kNone if there is none.
+  FaceTriangle face_triangle(std::uint32_t face, VertexId a, VertexId b, VertexId c) const;
+  /// Whether the triangle abc of vertices of a face lies in it: inside of the polygon, and no
+  /// sliver between pieces of a straight side that rounding bent.
+  bool is_in_face(std::uint32_t face, VertexId a, VertexId b, VertexId c) const;
+  /// Faces that continue each other across a segment, in one plane but for rounding, are a group:
+  /// rounding makes flat cells on vertices of several of them.
+  std::uint32_t group_of_face(std::uint32_t face) const { return groups_[face]; }
+  /// How far rounding moves a vertex off the face or segment that it lies on: 8 units in the last
+  /// place of the largest coordinate.
+  double rounding() const { return rounding_; }
+  bool lies_in_group(VertexId v, std::uint32_t group) const;
+  /// Whether the triangle abc of vertices of one group lies in its faces.
+  bool is_in_group(VertexId a, VertexId b, VertexId c) const;
+  /// It was refused for good: nothing yields to it any more.
+  void freeze(const FaceTriangle& t);
+  bool is_frozen(const FaceTriangle& t) const;
   /// Looks whether p can become a vertex of the refinement of every face that a vertex on this
   /// feature belongs to; finds their cavities. `near` is a vertex of those faces nearby.
   bool probe_faces(const Point3& p, const Feature& feature, VertexId near);
   /// Inserts v into the cavities found by probe_faces for its point and feature.
   void commit_to_faces(VertexId v);
 
+  // --- domain
+  /// Whether labels of cells say which part they belong to (see solid_domain.h).
+  bool classified() const { return classified_; }
+  void set_classified() { classified_ = true; }
+  bool is_in_domain(CellSlot c) const {
+    return !triangulation_.is_ghost(c) && (!classified_ || triangulation_.label(c) != kOutside);
+  }
+  /// Bound on the volume of a cell of its region; 0 if there is none.
+  double volume_bound(CellSlot c) const;
+
   std::size_t bytes() const;
 
  private:
   void link(SubsegmentId s);
+  void group_faces();
+  bool is_in_polygon(std::uint32_t face, VertexId a, VertexId b, VertexId c) const;
 
   const Complex* complex_;
   Incidence3 incidence_;
@@ -132,6 +173,11 @@ class Live3 {
   // For each vertex the numbers that it has in the faces of faces_of(its feature), in that order.
   std::vector<std::uint32_t> local_first_;
   std::vector<VertexId> locals_;
+  std::vector<std::uint32_t> groups_;  // by face: the first face of its group
+  // By face and slot, the birth of the triangle that is frozen.
+  std::vector<std::vector<std::uint32_t>> frozen_triangles_;
+  bool classified_ = false;
+  double rounding_ = 0;
 };
 
 }  // namespace circumball

@@ -234,6 +234,12 @@ class FaceFinder {
         if (has(loop, feature.index)) return true;
     }
     const auto& segments = context_.complex.segments;
+    if (feature.kind == FeatureKind::kSegment && feature.index < segments.size()) {
+      const auto& ends = segments[feature.index];  // a side of a loop, listed or not
+      for (const auto& loop : f.loops)
+        for (std::size_t k = 0; k < loop.size(); ++k)
+          if (edge(loop[k], loop[(k + 1) % loop.size()]) == edge(ends[0], ends[1])) return true;
+    }
     return std::any_of(f.segments.begin(), f.segments.end(), [&](std::uint32_t s) {
       if (s >= segments.size()) return false;
       if (feature.kind == FeatureKind::kVertex)

@@ -56,4 +56,13 @@ Unresolved account_for(const Live3& live, const FaceTriangle& t, Reason rule, Re
   return account(live, simplex, rule, refusal, stop);
 }
 
+Unresolved account_for(const Live3& live, const CellRef& c, Reason rule, Reason refusal,
+                       const std::string& stop) {
+  std::vector<std::uint32_t> simplex;
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    simplex.push_back(live.triangulation().corner(c.slot, i).value);
+  }
+  return account(live, simplex, rule, refusal, stop);
+}
+
 }  // namespace circumball

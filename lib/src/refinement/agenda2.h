@@ -120,7 +120,8 @@ class Agenda2 {
 
   /// Calls queue(simplex, verdict) for what is unacceptable after all when nothing waits any more.
   template <class F>
-  void look_again(const Live2& live, const View& view, const Rules& rules, F queue) {
+  void look_again(const Workspace& w, const View& view, const Rules& rules, F queue) {
+    const Live2& live = w.live;
     if constexpr (Rules::kLooksAtNeighbors) {
       for (std::uint32_t i = 0; i < live.subsegment_count(); ++i) {
         const SubsegmentId s(i);

@@ -126,7 +126,8 @@ class Agenda3 {
   /// A triangle that was refused may have become safe when a segment was split. Calls
   /// queue(simplex, verdict) for all that is unacceptable and safe when nothing waits any more.
   template <class F>
-  void look_again(const Live3& live, View3& view, const Rules& rules, F queue) {
+  void look_again(const Workspace3& w, View3& view, const Rules& rules, F queue) {
+    const Live3& live = w.live;
     for_each_simplex(live, rules, [&](const auto& s) {
       if (is_frozen(live, s)) return;
       const Verdict why = rules.unacceptable(view, s);

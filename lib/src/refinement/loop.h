@@ -119,13 +119,13 @@ class Loop final : public StageOf<World> {
   template <class Simplex, class Yield>
   void yield(Workspace& w, const Simplex& t, const Yield& p) {
     bool queued = false;
-    for (const auto s : view_->encroached()) {
-      if (!view_->may_split(s)) continue;
+    view_->for_each_encroached([&](const auto& s) {
+      if (!view_->may_split(s)) return;
       queued = true;
       w.recorder.yielded(t, p.at, s);
       w.recorder.queued(s, {Reason::kYieldedTo, VertexId(), 0});
       agenda_.push_yielded(s, t);
-    }
+    });
     if (!queued) return refuse(w, t, Reason::kFrozen, p.at);
     ++w.yielded;
     const Verdict why = rules_.unacceptable(*view_, t);
@@ -152,8 +152,7 @@ class Loop final : public StageOf<World> {
   /// Rules that look deeper than the simplices that touch a new vertex are asked once more about
   /// everything when the queue runs empty.
   bool look_again(Workspace& w) {
-    agenda_.look_again(w.live, *view_, rules_,
-                       [&](auto s, const Verdict& why) { queue(w, s, why); });
+    agenda_.look_again(w, *view_, rules_, [&](auto s, const Verdict& why) { queue(w, s, why); });
     return !agenda_.empty();
   }
 

@@ -12,6 +12,15 @@ Event Recorder3::of(EventKind kind, const FaceTriangle& t) const {
   return e;
 }
 
+Event Recorder3::of(EventKind kind, const CellRef& c) const {
+  Event e = blank(kind);
+  e.dimension = 3;
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    e.simplex[i] = live_.triangulation().corner(c.slot, i).value;
+  }
+  return e;
+}
+
 Event Recorder3::of(EventKind kind, SubsegmentId s) const {
   Event e = blank(kind);
   e.dimension = 1;
@@ -22,12 +31,49 @@ Event Recorder3::of(EventKind kind, SubsegmentId s) const {
   return e;
 }
 
+/// Regions are inside, too; and everything is, before the domain is known.
+std::uint32_t Recorder3::traced(std::uint32_t label) const {
+  return label == kOutside ? kTracedOutside : kTracedInside;
+}
+
+void Recorder3::send_yielded(Event e, const Point3& at, std::uint32_t subject, VertexId a,
+                             VertexId b, VertexId c) {
+  e.reason = Reason::kYieldedTo;
+  e.subject = subject;
+  e.other[0] = a.value;
+  e.other[1] = b.value;
+  if (c.valid()) e.value = c.value + 1.0;
+  place(at, &e);
+  send(e);
+}
+
+void Recorder3::relabeled(const std::vector<RelabeledCell>& cells) {
+  if (!sink_) return;
+  const Delaunay3& dt = live_.triangulation();
+  const auto differs = [&](const RelabeledCell& r) {
+    return traced(r.before) != traced(dt.label(r.cell));
+  };
+  Event e = blank(EventKind::kRelabeled);
+  stream_.clear();
+  e.other[0] = 0;
+  for (const bool after : {false, true}) {
+    for (const RelabeledCell& r : cells) {
+      if (!differs(r)) continue;
+      Delaunay3::Cell cell = dt.cell(r.cell);
+      if (!after) cell.label = r.before;
+      e.other[0] += append(cell) && !after;
+    }
+  }
+  e.other[1] = e.other[0];
+  if (e.other[0] > 0) send_with_stream(e);
+}
+
 bool Recorder3::append(const Delaunay3::Cell& cell) {
   for (const VertexId v : cell.v) {
     if (v == Delaunay3::kGhost) return false;
   }
   for (const VertexId v : cell.v) stream_.push_back(v.value);
-  stream_.push_back(kTracedInside);
+  stream_.push_back(traced(cell.label));
   return true;
 }
 

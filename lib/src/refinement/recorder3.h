@@ -1,7 +1,7 @@
 #ifndef CIRCUMBALL_REFINEMENT_RECORDER3_H_
 #define CIRCUMBALL_REFINEMENT_RECORDER3_H_
 
-#include "complex/live3.h"
+#include "complex/solid_domain.h"
 #include "refinement/recorder_base.h"
 #include "refinement/view3.h"
 
@@ -14,14 +14,35 @@ class Recorder3 : public RecorderBase<Recorder3, Point3> {
 
   /// After the insertion of v into the tetrahedralization, and into the faces that it belongs to.
   void inserted(Event insertion, VertexId v, double insertion_radius);
+  /// What a circumcenter yields to, one event each.
+  template <class Simplex>
+  void yielded(const Simplex& proposer, const Point3& at, SubsegmentId to) {
+    if (!sink_) return;
+    const Subsegment& u = live_.subsegment(to);
+    send_yielded(of(EventKind::kYielded, proposer), at, u.segment.value, u.a, u.b, VertexId());
+  }
+  template <class Simplex>
+  void yielded(const Simplex& proposer, const Point3& at, const FaceTriangle& to) {
+    if (!sink_) return;
+    const FaceRefinement& face = live_.face(to.face);
+    const auto& v = face.triangulation().triangle(to.id).v;
+    send_yielded(of(EventKind::kYielded, proposer), at, to.face, face.global(v[0]),
+                 face.global(v[1]), face.global(v[2]));
+  }
+  /// Cells that got another label while they live.
+  void relabeled(const std::vector<RelabeledCell>& cells);
   /// The triangles of a face as they are when its refinement begins.
   void face_created(std::uint32_t face);
 
  private:
   friend RecorderBase;
+  Event of(EventKind kind, const CellRef& c) const;
   Event of(EventKind kind, const FaceTriangle& t) const;
   Event of(EventKind kind, SubsegmentId s) const;
+  std::uint32_t traced(std::uint32_t label) const;
   bool append(const Delaunay3::Cell& cell);
+  void send_yielded(Event e, const Point3& at, std::uint32_t subject, VertexId a, VertexId b,
+                    VertexId c);
   bool append(std::uint32_t face, const Delaunay2::Triangle& t);
   void face_changed(std::uint32_t face);
 

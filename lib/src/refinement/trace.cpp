@@ -53,6 +53,10 @@ std::string list_of(const Event& e) {
   return text;
 }
 
+/// In space: to a triangle of a face, not to a subsegment.
+bool yields_to_triangle(const Event& e) { return e.kind == EventKind::kYielded && e.value > 0; }
+std::uint32_t third_corner(const Event& e) { return static_cast<std::uint32_t>(e.value) - 1; }
+
 std::string simplex_words(const Event& e) {
   switch (e.dimension) {
     case 1:
@@ -86,15 +90,17 @@ std::string why_queued(const Event& e) {
       return " is unacceptable: vertex " + witness + " lies inside its diametral " +
              (e.dimension == 1 ? "disk" : "ball") + ".";
     case Reason::kMissing:
-      return " is unacceptable: it is not an edge of the Delaunay triangulation.";
+      return e.dimension == 1
+                 ? " is unacceptable: it is not an edge of the Delaunay triangulation."
+                 : " is unacceptable: an edge of the Delaunay triangulation crosses it.";
     case Reason::kRadiusEdge:
       return " is unacceptable: its radius-edge ratio is " + number(e.value) +
              ", more than the threshold.";
     case Reason::kSize:
       return " is unacceptable: its circumradius is " + number(e.value) + ", more than its bound.";
     case Reason::kRegionSize:
-      return " is unacceptable: its area is " + number(e.value) +
-             ", more than the bound of its region.";
+      return std::string(" is unacceptable: its ") + (e.dimension == 3 ? "volume" : "area") +
+             " is " + number(e.value) + ", more than the bound of its region.";
     case Reason::kTooLong:
       return " is unacceptable: its length is " + number(e.value) +
              ", more than twice that of the shortest in its spindle, and vertex " + witness +
@@ -258,13 +264,14 @@ std::string to_jsonl(const Trace& trace) {
     if (e.kind == EventKind::kQueued && e.subject != kNoIndex) line["witness"] = e.subject;
     if (e.kind == EventKind::kYielded) {
       line["to"] = {e.other[0], e.other[1]};
-      if (e.subject != kNoIndex) line["segment"] = e.subject;
+      if (yields_to_triangle(e)) line["to"].push_back(third_corner(e));
+      if (e.subject != kNoIndex) line[yields_to_triangle(e) ? "face" : "segment"] = e.subject;
     }
     if (e.kind == EventKind::kInserted || e.kind == EventKind::kRefused ||
         e.kind == EventKind::kYielded) {
       line["at"] = std::vector<double>(e.at, e.at + trace.dimension);
     }
-    if (e.value != 0) line["value"] = e.value;
+    if (e.value != 0 && !yields_to_triangle(e)) line["value"] = e.value;
     if (has_record(e)) {
       // A triangle of a face has one vertex less than a cell.
       const std::size_t size = stride - (e.kind == EventKind::kFaceChanged ? 2 : 1);
@@ -302,6 +309,13 @@ std::string describe(const Event& e, const std::vector<std::string>& steps) {
     case EventKind::kRefused:
       return simplex_words(e) + " is not split: " + why_refused(e.reason) + ".";
     case EventKind::kYielded:
+      if (yields_to_triangle(e)) {
+        return simplex_words(e) +
+               " yields: its circumcenter encroaches upon the triangle of face " +
+               std::to_string(e.subject) + " between vertices " + std::to_string(e.other[0]) +
+               ", " + std::to_string(e.other[1]) + " and " + std::to_string(third_corner(e)) +
+               ", which is queued instead.";
+      }
       return simplex_words(e) + " yields: its circumcenter encroaches upon the " +
              (e.subject == kNoIndex ? std::string("arc")
                                     : "piece of segment " + std::to_string(e.subject)) +

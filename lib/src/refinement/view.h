@@ -192,6 +192,10 @@ class View {
     }
     return false;
   }
+  template <class F>
+  void for_each_encroached(F f) const {
+    for (const SubsegmentId s : encroached_) f(s);
+  }
   /// Whether all of them are collar simplices.
   bool encroaches_upon_collar_only() const {
     return std::all_of(encroached_.begin(), encroached_.end(),

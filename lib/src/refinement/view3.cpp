@@ -16,8 +16,8 @@ bool representable(const Point3& p) {
 
 }  // namespace
 
-bool View3::probe(const Point3& p, VertexId near) {
-  return representable(p) && dt_.probe(p, dt_.cell_of(near)) == Delaunay3::Probe::kOk;
+bool View3::probe_from(const Point3& p, CellSlot start) const {
+  return representable(p) && dt_.probe(p, start) == Delaunay3::Probe::kOk;
 }
 
 bool View3::ready(const Point3& p, SubsegmentId s) {

@@ -123,8 +123,11 @@ class View3 {
   /// endpoint of a segment s in `face` with |c - q| < |s|; invalid if there is none.
   VertexId near_segment_of_face(const Point3& c, std::uint32_t face) const;
 
- private:
-  bool probe(const Point3& p, VertexId near);
+ protected:
+  /// Finds the cavity of p, near a vertex or from a cell; false where p coincides with a vertex, or
+  /// the predicates are not exact for it.
+  bool probe(const Point3& p, VertexId near) const { return probe_from(p, dt_.cell_of(near)); }
+  bool probe_from(const Point3& p, CellSlot start) const;
   Point2 center_in_plane(const FaceTriangle& t) const;
 
   Live3& live_;

@@ -1,0 +1,42 @@
+#ifndef CIRCUMBALL_DELAUNAY_TETRAHEDRON_SHAPE_H_
+#define CIRCUMBALL_DELAUNAY_TETRAHEDRON_SHAPE_H_
+
+#include "circumball/types.h"
+
+/// Measures of tetrahedra, and of triangles in space, that refinement decides by. Rounded doubles
+/// made with + - * / and sqrt alone.
+namespace circumball {
+
+/// What RE(t) and R_t (thesis, Definition 2.1.2) of a tetrahedron are made of.
+struct TetrahedronShape {
+  double shortest2 = 0;      ///< squared length of the shortest edge
+  double longest2 = 0;       ///< and of the longest
+  double circumradius2 = 0;  ///< squared; infinite where it is beyond double precision
+  double volume6 = 0;        ///< six times the volume
+  Point3 circumcenter;       ///< not finite where the circumradius is infinite
+
+  bool radius_edge_exceeds(double tau) const { return circumradius2 > tau * tau * shortest2; }
+};
+
+/// A cell with four vertices in a face is flat where six times its volume is less than this part of
+/// the cube of its longest edge.
+constexpr double kFlatVolume = 1e-9;
+
+/// Shape of abcd, orient3d positive. In double precision where that is good for ten digits,
+/// otherwise in double-double: nearly flat Delaunay tetrahedra are normal (rectangles in faces are
+/// cocircular but for rounding), and the circumcenter in double precision of one whose volume is
+/// mostly rounding would be anywhere. Relative errors of circumradius and center below 1e-10.
+TetrahedronShape tetrahedron_shape(const Point3& a, const Point3& b, const Point3& c,
+                                   const Point3& d);
+
+/// How far p is in or out of the smallest ball with a, b, c on its boundary (centered in their
+/// plane): the power of p, and the squared radius. Relative to a; where abc is not too thin, the
+/// error of the power is a few ulp of |p - a|^2 + R^2.
+struct TriangleBall {
+  double power = 0, radius2 = 0;
+};
+TriangleBall triangle_ball(const Point3& a, const Point3& b, const Point3& c, const Point3& p);
+
+}  // namespace circumball
+
+#endif  // CIRCUMBALL_DELAUNAY_TETRAHEDRON_SHAPE_H_

@@ -1,0 +1,179 @@
+#ifndef CIRCUMBALL_REFINEMENT_SOLID_VIEW_H_
+#define CIRCUMBALL_REFINEMENT_SOLID_VIEW_H_
+
+#include <cstdint>
+#include <vector>
+
+#include "delaunay/tetrahedron_shape.h"
+#include "refinement/view3.h"
+
+namespace circumball {
+
+/// Who proposed a point that yielded: a triangle of a face or a tetrahedron, or nobody.
+struct Proposer3 {
+  FaceTriangle triangle;
+  CellRef cell;
+};
+
+/// What is around a point of space that is not inserted yet.
+enum class Outlook3 : std::uint8_t {
+  kFree,
+  kEncroaches,  ///< in the open ball of what SolidView::for_each_encroached tells
+  kOutside,     ///< outside of the domain
+  kCoincides,   ///< at a vertex, in double precision; or rounding put it elsewhere
+};
+
+/// What the rules of chapter 6 may see beyond View3: tetrahedra, and who encroaches upon whom.
+///
+/// Rounding. Vertices of a sloping face are not exactly in its plane, so it is settled by numbers
+/// who belongs to a face: its own vertices never encroach upon its triangles, whose triangulation
+/// is Delaunay in the plane. Balls of segments are exact, those of triangles of faces have the
+/// slack kLengthSlack. A triangle that is not a facet, although its ball is empty, is let be,
+/// unless something crosses it (`encroachment`): the facets of the tetrahedralization tile the face
+/// in another way then, as they may where vertices of the face are nearly cocircular.
+class SolidView : public View3 {
+ public:
+  using View3::View3;
+
+  // --- what the loop asks
+  using View3::alive;
+  using View3::key;
+  static std::uint64_t key(const CellRef& c) { return std::uint64_t{c.birth} << 2 | 2; }
+  bool alive(const CellRef& c) const {  // false for none
+    return c.slot != kNone && dt_.alive(c.slot) && dt_.cell(c.slot).birth == c.birth;
+  }
+  bool alive(const Proposer3& p) const { return alive(p.cell) || alive(p.triangle); }
+  using View3::in_domain;
+  bool in_domain(const CellRef& c) const { return live_.is_in_domain(c.slot); }
+  using View3::ready;
+  bool ready(const Point3&, const CellRef&) const { return true; }  // looked at by the action
+  bool may_split(SubsegmentId s) const { return alive(s) && !live_.subsegment(s).frozen; }
+  bool may_split(const FaceTriangle& t) const { return alive(t) && !live_.is_frozen(t); }
+  /// Calls f for what the point last looked at encroaches upon, and yields to: subsegments, or
+  /// where there are none triangles of faces.
+  template <class F>
+  void for_each_encroached(F f) const {
+    for (const SubsegmentId s : segments_) f(s);
+    for (const FaceTriangle& t : triangles_) f(t);
+  }
+
+  // --- subsegments
+  /// Whether the open diametral ball of s holds a vertex, exactly; or s is not an edge of the
+  /// tetrahedralization, or of the triangulation of a face that it lies in, although the ball is
+  /// empty: vertices on its sphere took the edge by a tie.
+  Verdict encroachment(SubsegmentId s) const;
+  /// The same, where v is new and all else is known.
+  Verdict encroached_by(SubsegmentId s, VertexId v) const;
+
+  // --- triangles of faces
+  /// Whether t lies inside of its face (Live3::is_in_face).
+  bool is_in_face(const FaceTriangle& t) const;
+  /// Whether the smallest ball of t holds a vertex that does not belong to the face, by more than
+  /// the slack; or else, where t is not a facet, whether an edge of the tetrahedralization that
+  /// joins the two sides of the face crosses t.
+  Verdict encroachment(const FaceTriangle& t) const;
+  /// The same, where v is new and all else is known.
+  Verdict encroached_by(const FaceTriangle& t, VertexId v) const;
+  /// Looks at the circumcenter c of t: whether it encroaches upon segments.
+  Outlook3 look(const Point3& c, const FaceTriangle& t);
+
+  // --- tetrahedra
+  TetrahedronShape shape(const CellRef& c) const {
+    return tetrahedron_shape(dt_.point(dt_.corner(c.slot, 0)), dt_.point(dt_.corner(c.slot, 1)),
+                             dt_.point(dt_.corner(c.slot, 2)), dt_.point(dt_.corner(c.slot, 3)));
+  }
+  /// Whether c is a layer of a face: four vertices that belong to it, and no volume but what
+  /// rounding made. Such a cell is not refined: outside of the domain where it is on the boundary;
+  /// elsewhere its circumcenter lies between those of the cells on its sides, so that it is as good
+  /// as they are.
+  bool is_flat(const CellRef& c, const TetrahedronShape& shape) const;
+  double volume_bound(const CellRef& c) const { return live_.volume_bound(c.slot); }
+  /// Looks at the circumcenter p of c: whether it encroaches upon segments, or where upon none,
+  /// upon triangles of faces.
+  Outlook3 look(const Point3& p, const CellRef& c);
+  template <class Measure>
+  double measure(Measure m) const {
+    return measuring() ? m() : 0;
+  }
+
+  // --- what cells touch
+  /// Calls f for each subsegment that is an edge of a cell with these vertices; some twice.
+  template <class F>
+  void for_each_subsegment(const VertexId* v, F f) const {
+    for (unsigned i = 0; i < 4; ++i) {
+      if (!can_end_subsegment(v[i])) continue;
+      for (unsigned j = i + 1; j < 4; ++j) {
+        if (!can_end_subsegment(v[j])) continue;
+        const SubsegmentId s = live_.subsegment_between(v[i], v[j]);
+        if (s.valid()) f(s);
+      }
+    }
+  }
+  /// Calls f for each triangle of a face that is a facet of a cell with these vertices. Where a
+  /// facet lies in a face, but is no triangle of it, for all triangles at its corners: some of them
+  /// are in its place. Some triangles come twice.
+  template <class F>
+  void for_each_face_triangle(const VertexId* v, F f) const {
+    for (unsigned i = 0; i < 4; ++i) {
+      const VertexId a = v[(i + 1) % 4], b = v[(i + 2) % 4], c = v[(i + 3) % 4];
+      if (!can_lie_in_face(a) || !can_lie_in_face(b) || !can_lie_in_face(c)) continue;
+      for (const std::uint32_t face : live_.faces_of(live_.feature(a))) {
+        if (!live_.lies_in_face(b, face) || !live_.lies_in_face(c, face)) continue;
+        const FaceTriangle t = live_.face_triangle(face, a, b, c);
+        if (t.face != kNone) {
+          f(t);
+        } else {
+          for (const VertexId corner : {a, b, c}) for_each_around(corner, face, f);
+        }
+      }
+    }
+  }
+
+ private:
+  bool can_lie_in_face(VertexId v) const {
+    return v != Delaunay3::kGhost && live_.feature(v).kind != FeatureKind::kFree;
+  }
+  bool can_end_subsegment(VertexId v) const {
+    return v != Delaunay3::kGhost && live_.feature(v).kind <= FeatureKind::kSegment;
+  }
+  template <class F>
+  void for_each_around(VertexId v, std::uint32_t face, F f) const {
+    const Delaunay2& dt = live_.face(face).triangulation();
+    dt.for_each_outgoing(live_.local(v, face), [&](HalfEdge h) {
+      const TriangleId t = h / 4;
+      if (!dt.is_ghost(t)) f(FaceTriangle{face, t, dt.triangle(t).birth});
+      return true;
+    });
+  }
+  bool segment_ball_holds(SubsegmentId s, const Point3& p) const {
+    const Subsegment& u = live_.subsegment(s);
+    return in_diametral_ball(dt_.point(u.a), dt_.point(u.b), p) == Sign::kPositive;
+  }
+  bool triangle_ball_holds(const FaceTriangle& t, const Point3& p) const;
+  bool is_missing(SubsegmentId s) const;
+  VertexId encroacher_behind(const FaceTriangle& t, CellFacet f) const;
+  Verdict encroachment_of_missing(const FaceTriangle& t) const;
+  VertexId crosser_in_cavity(const FaceTriangle& t) const;
+  bool crosses(const FaceTriangle& t, VertexId p, VertexId q) const;
+  void find_encroached_segments(const Point3& p);
+  void find_encroached_triangles(const Point3& p);
+  bool cavity_holds(CellSlot c) const;
+  Outlook3 outside_or_free() const;
+
+  std::vector<SubsegmentId> segments_;
+  std::vector<FaceTriangle> triangles_;
+  mutable std::vector<CellSlot> flat_;  // scratch
+  // By face and slot of a triangle: its birth, and whether it lies in the face.
+  struct Known {
+    std::uint32_t birth = kNone;
+    bool inside = false;
+  };
+  mutable std::vector<std::vector<Known>> known_;
+};
+
+inline Proposal3 yield3(const Point3& at) { return {ProposalKind::kYield, Reason::kYieldedTo, at}; }
+inline Proposal3 refuse(const Point3& at, Reason why) { return {ProposalKind::kRefuse, why, at}; }
+
+}  // namespace circumball
+
+#endif  // CIRCUMBALL_REFINEMENT_SOLID_VIEW_H_
