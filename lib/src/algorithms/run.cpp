@@ -46,8 +46,9 @@ void settle_domain(Live2* live, Recorder* recorder) {
   recorder->relabeled(live->take_relabeled());
 }
 void settle_domain(Live3* live, Recorder3* recorder) {
-  // Estimates of feature sizes leave the whole convex hull as it is.
-  if (live->domain() == Domain::kClosed || live->classified()) recorder->relabeled(classify(live));
+  // Estimates of feature sizes leave the whole convex hull as it is; so does a run that was stopped
+  // before all faces were there, as nothing keeps inside and outside apart yet.
+  if (live->classified()) recorder->relabeled(classify(live));
 }
 
 /// With the box where the domain is one.

@@ -29,6 +29,7 @@ VerifyContext3::VerifyContext3(const Mesh& m, const Complex& c, const VerifyOpti
   pair_facets();
   list_neighbors();
   match_vertices();
+  if (options.domain == "closed") leave_out_vertices_outside();
   measure();
   for (const auto& cell : options.excused) {
     if (cell.size() != 4) continue;
@@ -189,6 +190,42 @@ void VerifyContext3::match_vertices() {
   segment_wanted.assign(complex.segments.size(), 1);
   for (std::size_t k = 1; k < segments.size(); ++k)
     if (ends(segments[k]) == ends(segments[k - 1])) segment_wanted[segments[k]] = 0;
+}
+
+/// Of a closed domain, a vertex on no segment and in no face that no cell has: it is outside, where
+/// it lies in no cell. (What the cells should cover is for other checks to say.)
+void VerifyContext3::leave_out_vertices_outside() {
+  std::vector<std::uint8_t> alone(complex.vertices.size(), 1);
+  for (const auto& s : complex.segments) {
+    for (const std::uint32_t v : s) {
+      if (v < alone.size()) alone[v] = 0;
+    }
+  }
+  for (const Face& face : complex.faces) {
+    for (const auto& loop : face.loops) {
+      for (const std::uint32_t v : loop) {
+        if (v < alone.size()) alone[v] = 0;
+      }
+    }
+    for (const std::uint32_t v : face.vertices) {
+      if (v < alone.size()) alone[v] = 0;
+    }
+  }
+  for (std::uint32_t i = 0; i < complex.vertices.size(); ++i) {
+    if (!alone[i] || !vertex_wanted[i]) continue;
+    if (mesh_vertex[i] != kNoIndex && used[mesh_vertex[i]]) continue;
+    const Point3& p = complex.vertices[i];
+    const auto holds = [&](const Cell& c) {
+      for (int k = 0; k < 4; ++k) {
+        // p in the place of the corner k.
+        const Point3* q[4] = {&point(c[0]), &point(c[1]), &point(c[2]), &point(c[3])};
+        q[k] = &p;
+        if (orient3d(*q[0], *q[1], *q[2], *q[3]) == Sign::kNegative) return false;
+      }
+      return true;
+    };
+    if (std::none_of(cells.begin(), cells.end(), holds)) vertex_wanted[i] = 0;
+  }
 }
 
 void VerifyContext3::measure() {

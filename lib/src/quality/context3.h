@@ -82,6 +82,7 @@ class VerifyContext3 {
   void pair_facets();
   void list_neighbors();
   void match_vertices();
+  void leave_out_vertices_outside();
   void measure();
   std::vector<std::uint32_t> facet_first_, facet_;  // by their lowest corner, then the others
   std::vector<Cell> excused_;
