@@ -199,7 +199,9 @@ export const texts = {
     failed: 'The run could not start.',
     done: (left: number) => {
       if (left === 0) return 'The queue is empty and nothing unacceptable is left: the end.';
-      const stay = left === 1 ? '1 simplex stays' : `${formatCount(left)} simplices stay`;
+      // The report lists a thousand of them at most.
+      const many = `${formatCount(left)}${left < 1000 ? '' : ' or more'} simplices stay`;
+      const stay = left === 1 ? '1 simplex stays' : many;
       return `The queue is empty: the end. ${stay} unacceptable, as it is not safe to split ${left === 1 ? 'it' : 'them'}.`;
     },
     crashed: 'The core stopped unexpectedly and was started again. Your drawing is safe.',
