@@ -518,6 +518,14 @@ TEST(SmallestAngle, InSpaceIsOfSegmentsAndFacesAndBoth) {
   EXPECT_NEAR(angle(c), 30, 1e-9);
   c.vertices[4] = {-1, -1, 1};
   EXPECT_NEAR(angle(c), 90, 1e-9);
+  // What is perpendicular has a shadow of rounding only, whose direction means nothing.
+  for (int i = 1; i < 50; ++i) {
+    const double t = 0.1 * i;
+    c = make({{0, 0, 0}, {t, 0, 0}, {t, 0, 1}, {2 * t, 0, 1}, {2 * t, 0, 3}, {0, 0, 3}, {t, 2, 1}},
+             {{0, 1, 2, 3, 4, 5}}, {{2, 6}});
+    const double sharpest = std::atan(t / 3) / degrees;
+    EXPECT_GE(angle(c), std::min(89.0, sharpest)) << i;
+  }
 }
 
 TEST(SmallestAngle, InSpaceIsThatOfAllPairsOfSegmentsWithoutFaces) {

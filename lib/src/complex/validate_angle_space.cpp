@@ -147,11 +147,15 @@ class SpaceAngles {
                     listed_.begin(), listed_.end(),
                     std::array<std::uint32_t, 2>{corner.face, view_.star[begin + j].segment}))
               return true;
-            const Point3 shadow = minus(to[j], times(n, dot(n, to[j])));
+            const double rise = dot(n, to[j]);
+            const Point3 shadow = minus(to[j], times(n, rise));
             // Beyond the corner's edges a segment or another corner of the face is nearer.
-            if (dot(n, cross(b, shadow)) >= 0 && dot(n, cross(shadow, c)) >= 0 &&
-                dot(shadow, shadow) > 0)
-              take(angle_degrees(to[j], shadow));
+            if (dot(n, cross(b, shadow)) >= 0 && dot(n, cross(shadow, c)) >= 0) {
+              // Measured from the plane or from its normal, whichever is farther: the shadow of
+              // what is perpendicular is noise.
+              take(dot(shadow, shadow) > rise * rise ? angle_degrees(to[j], shadow)
+                                                     : 90 - angle_degrees(to[j], times(n, rise)));
+            }
             return true;
           });
     }
