@@ -1,11 +1,16 @@
 #include "complex/face_plane.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "circumball/predicates.h"
 
 namespace circumball {
 namespace {
+
+/// Up to so many sides a tree is not worth its memory.
+constexpr std::size_t kFewSides = 16;
 
 Point3 minus(const Point3& a, const Point3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 Point3 cross(const Point3& a, const Point3& b) {
@@ -56,45 +61,63 @@ FacePlane::FacePlane(const Complex& complex, std::uint32_t face) {
   first_ = {projected.x / projected_length, projected.y / projected_length,
             projected.z / projected_length};
   second_ = cross(normal_, first_);
-  for (const auto& loop : f.loops) {
-    if (loop.size() < 3) continue;
-    loops_.emplace_back();
-    for (const std::uint32_t v : loop) loops_.back().push_back(to_plane(complex.vertices[v]));
-  }
-  for (const Point3& hole : f.holes) {
-    const Point2 at = to_plane(hole);
-    holes_.emplace_back();
-    for (std::size_t i = 0; i < loops_.size(); ++i) holes_.back().push_back(inside_loop(i, at));
-  }
+  add_sides(complex, f);
+  for (const Point3& hole : f.holes) holes_.push_back(loops_around(to_plane(hole)));
+  std::sort(holes_.begin(), holes_.end());
 }
 
-bool FacePlane::inside_loop(std::size_t loop, const Point2& p) const {
-  const std::vector<Point2>& corners = loops_[loop];
-  bool inside = false;
-  for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
-    const Point2 &a = corners[j], &b = corners[i];
-    // Crossings of the ray to the right: half-open in y, so that corners count once.
-    if ((a.y > p.y) == (b.y > p.y)) continue;
-    const Sign turn = b.y > a.y ? orient2d(a, b, p) : orient2d(b, a, p);
-    if (turn == Sign::kPositive) inside = !inside;
+void FacePlane::add_sides(const Complex& complex, const Face& face) {
+  for (std::uint32_t l = 0; l < face.loops.size(); ++l) {
+    const auto& loop = face.loops[l];
+    if (loop.size() < 3) continue;
+    for (std::size_t i = 0, j = loop.size() - 1; i < loop.size(); j = i++) {
+      sides_.push_back(
+          {to_plane(complex.vertices[loop[j]]), to_plane(complex.vertices[loop[i]]), l});
+    }
   }
-  return inside;
+  if (sides_.size() <= kFewSides) return;
+  std::vector<Box2> boxes;
+  boxes.reserve(sides_.size());
+  for (const Side& side : sides_) boxes.push_back(Box2::of(side.a, side.b));
+  tree_ = BoxTree(std::move(boxes));
+}
+
+std::vector<std::uint32_t> FacePlane::loops_around(const Point2& p) const {
+  std::vector<std::uint32_t> crossed;
+  const auto look_at = [&](const Side& side) {
+    // Crossings of the ray to the right: half-open in y, so that corners count once.
+    const Point2 &a = side.a, &b = side.b;
+    if ((a.y > p.y) == (b.y > p.y)) return;
+    const Sign turn = b.y > a.y ? orient2d(a, b, p) : orient2d(b, a, p);
+    if (turn == Sign::kPositive) crossed.push_back(side.loop);
+  };
+  if (tree_.size() == 0) {
+    for (const Side& side : sides_) look_at(side);
+  } else {
+    tree_.query(
+        [&](const Box2& box) { return box.lo_y <= p.y && p.y <= box.hi_y && p.x <= box.hi_x; },
+        [&](std::uint32_t i) {
+          look_at(sides_[i]);
+          return true;
+        });
+    std::sort(crossed.begin(), crossed.end());
+  }
+  // Inside of a loop is what it is crossed from an odd number of times.
+  std::size_t kept = 0;
+  for (std::size_t i = 0, j; i < crossed.size(); i = j) {
+    for (j = i; j < crossed.size() && crossed[j] == crossed[i]; ++j) {
+    }
+    if ((j - i) % 2 == 1) crossed[kept++] = crossed[i];
+  }
+  crossed.resize(kept);
+  return crossed;
 }
 
 bool FacePlane::contains(const Point2& p) const {
-  std::vector<bool> signature(loops_.size());
-  bool in_some = false;
-  for (std::size_t i = 0; i < loops_.size(); ++i) {
-    signature[i] = inside_loop(i, p);
-    in_some = in_some || signature[i];
-  }
-  if (!in_some) return false;
+  const std::vector<std::uint32_t> around = loops_around(p);
   // Loops do not cross: where a point is inside of the same loops as a hole point, nothing
   // separates the two.
-  for (const auto& hole : holes_) {
-    if (hole == signature) return false;
-  }
-  return true;
+  return !around.empty() && !std::binary_search(holes_.begin(), holes_.end(), around);
 }
 
 std::optional<FaceFrame> face_frame(const Complex& complex, std::uint32_t face) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "circumball/complex.h"
+#include "complex/box_tree.h"
 
 namespace circumball {
 
@@ -46,17 +47,24 @@ class FacePlane {
   }
   /// Whether a point of the plane lies in the face: inside some loop, and not in the part around a
   /// hole point that loops cut out. Exact for the rounded coordinates; a point on the boundary
-  /// counts as on one side of it, always the same. O(vertices of the loops).
+  /// counts as on one side of it, always the same. O(log n + k) for n vertices of the loops, of
+  /// whose sides k are at the height of p.
   bool contains(const Point2& p) const;
 
  private:
-  /// For each loop, whether p is inside.
-  bool inside_loop(std::size_t loop, const Point2& p) const;
+  struct Side {
+    Point2 a, b;
+    std::uint32_t loop;
+  };
+  void add_sides(const Complex& complex, const Face& face);
+  /// The loops that p is inside of; ascending.
+  std::vector<std::uint32_t> loops_around(const Point2& p) const;
 
   bool valid_ = false;
   Point3 origin_, first_, second_, normal_;
-  std::vector<std::vector<Point2>> loops_;
-  std::vector<std::vector<bool>> holes_;  // of each hole point, the loops that it is inside of
+  std::vector<Side> sides_;                        // of loops of three vertices and more
+  BoxTree tree_;                                   // of sides_, where they are many
+  std::vector<std::vector<std::uint32_t>> holes_;  // loops around each hole point; sorted
 };
 
 }  // namespace circumball
