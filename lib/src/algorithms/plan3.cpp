@@ -1,5 +1,7 @@
+#include "algorithms/collar3.h"
 #include "algorithms/feature_size3.h"
 #include "algorithms/plan.h"
+#include "algorithms/protect3.h"
 #include "algorithms/ruppert3.h"
 #include "algorithms/sweeps3.h"
 #include "refinement/loop.h"
@@ -22,15 +24,27 @@ Step2a step2a(const Settings& settings) {
 
 std::vector<std::unique_ptr<Stage3>> plan_in_space(const Settings& settings) {
   std::vector<std::unique_ptr<Stage3>> steps;
-  steps.push_back(insert_vertices_in_space(settings.algorithm == "ruppert"));
+  steps.push_back(
+      insert_vertices_in_space(settings.algorithm == "ruppert" || settings.algorithm == "collar"));
   if (settings.algorithm == "feature-size") {
     steps.push_back(split_at_thirds());
     steps.push_back(loop("1b", "Estimate the 1-feature size on all segments", FeatureSize1b{}));
     steps.push_back(split_into_parts(step2a(settings)));
     steps.push_back(loop("2b", "Estimate the local feature size on all segments", FeatureSize2b{}));
+  } else if (settings.algorithm == "collar") {
+    steps.push_back(prepare_segments());
+    steps.push_back(draw_collars());
+    steps.push_back(loop("3a", "Split encroached collar segments and arcs", CollarElements3{}));
+    steps.push_back(label_collars());
+    steps.push_back(loop("3c", "Split encroached triangles beyond the collars", CollarFaces3{}));
+    steps.push_back(classify_cells("3d"));
+    Collar3 rules;
+    rules.quality.tau = settings.tau;
+    rules.quality.size = settings.size;
+    steps.push_back(loop("3", "Refinement with collar", rules));
   } else if (settings.algorithm == "ruppert") {
     steps.push_back(loop("1", "Split encroached segments and triangles of faces", Conform3{}));
-    steps.push_back(classify_cells());
+    steps.push_back(classify_cells("1b"));
     Ruppert3 rules;
     rules.tau = settings.tau;
     rules.size = settings.size;

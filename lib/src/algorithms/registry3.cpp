@@ -88,7 +88,40 @@ std::vector<AlgorithmInfo> algorithms_in_space() {
   ruppert.checks = {"topology",    "delaunay", "input-vertices", "input-segments",
                     "input-faces", "volume",   "radius-edge"};
   ruppert.default_domain = "closed";
-  return {delaunay, feature_size, ruppert};
+
+  AlgorithmInfo collar = ruppert;
+  collar.id = "collar";
+  collar.title = "Refinement with collars in space";
+  collar.thesis = "Algorithms 6.1 and 6.2";
+  collar.action =
+      "Split segments until they are short against their feature sizes (Algorithm 4.1), end "
+      "segments "
+      "at a vertex alike; put collar vertices beside them into every face. Then insert the "
+      "circumcenter of a simplex, unless it encroaches upon the diametral ball of a simplex of "
+      "lower "
+      "dimension, collar segment or collar arc: this is queued instead. Collar segments are split "
+      "at "
+      "their midpoint, collar arcs at the midpoint of the arc.";
+  collar.priority =
+      "Collar segments and arcs are given the highest priority. Simplices are prioritized by "
+      "dimension, lower ones are processed first.";
+  collar.unacceptability =
+      "A collar segment, a collar arc or a triangle of a face is unacceptable if its circumball is "
+      "not empty. A tetrahedron $t$ is unacceptable if its radius-edge ratio is greater than "
+      "$\\tau$.";
+  collar.safety =
+      "It is not safe to split any collar simplex: pieces of input segments, and triangles of "
+      "faces "
+      "between them and the collar segments and arcs.";
+  collar.parameters[0].default_value = "2.3";
+  collar.guarantee =
+      "For every complex and $\\tau > 2$ it ends, every segment is a union of edges and every face "
+      "a "
+      "union of facets; and the circumcenter of every tetrahedron with a radius-edge ratio above "
+      "$\\tau$ lies in the ball of a collar simplex (Theorem 6.11).";
+  collar.checks = {"topology",    "delaunay", "input-vertices", "input-segments",
+                   "input-faces", "volume",   "radius-edge",    "collar"};
+  return {delaunay, feature_size, ruppert, collar};
 }
 
 }  // namespace circumball

@@ -41,7 +41,7 @@ class InsertVerticesInSpace final : public Stage3 {
 
 class ClassifyCells final : public Stage3 {
  public:
-  ClassifyCells() : Stage3("1b", "Tell inside from outside") {}
+  explicit ClassifyCells(std::string name) : Stage3(std::move(name), "Tell inside from outside") {}
   bool advance(Workspace3& w, Budget&) override {
     w.recorder.relabeled(classify(&w.live));
     return true;
@@ -142,7 +142,9 @@ class SplitIntoParts final : public Stage3 {
 std::unique_ptr<Stage3> insert_vertices_in_space(bool by_birth) {
   return std::make_unique<InsertVerticesInSpace>(by_birth);
 }
-std::unique_ptr<Stage3> classify_cells() { return std::make_unique<ClassifyCells>(); }
+std::unique_ptr<Stage3> classify_cells(std::string name) {
+  return std::make_unique<ClassifyCells>(std::move(name));
+}
 std::unique_ptr<Stage3> split_at_thirds() { return std::make_unique<SplitAtThirds>(); }
 std::unique_ptr<Stage3> split_into_parts(Step2a how) {
   return std::make_unique<SplitIntoParts>(how);

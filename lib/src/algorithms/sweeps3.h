@@ -2,6 +2,7 @@
 #define CIRCUMBALL_ALGORITHMS_SWEEPS3_H_
 
 #include <memory>
+#include <string>
 
 #include "refinement/stage3.h"
 
@@ -14,7 +15,7 @@ namespace circumball {
 std::unique_ptr<Stage3> insert_vertices_in_space(bool by_birth = false);
 
 /// Once the faces are there: which cells belong to the domain (see solid_domain.h).
-std::unique_ptr<Stage3> classify_cells();
+std::unique_ptr<Stage3> classify_cells(std::string name);
 
 /// Step 1a: every segment is split at each of its input vertices q0, at distance N(q0)/3. N(q0) is
 /// measured for all of them before the first split.

@@ -18,6 +18,7 @@ class FaceRefinement {
 
   const FacePlane& plane() const { return plane_; }
   const Delaunay2& triangulation() const { return triangulation_; }
+  Delaunay2& triangulation() { return triangulation_; }
   /// The number in the complex of a vertex of the triangulation.
   VertexId global(VertexId local) const { return vertices_[local.value]; }
   Point2 point(VertexId local) const { return triangulation_.point(local); }
@@ -39,7 +40,9 @@ class FaceRefinement {
   /// Whether the cavity last found holds t.
   bool cavity_holds(TriangleId t) const;
   /// Inserts a vertex just added into the cavity last found, which is its.
-  void commit(VertexId local) { triangulation_.commit(local); }
+  void commit(VertexId local, std::uint32_t splitting_tag = kNone) {
+    triangulation_.commit(local, splitting_tag);
+  }
 
   /// Whether t lies inside of the polygon: its centroid does.
   bool inside(const Delaunay2::Triangle& t) const;

@@ -227,7 +227,9 @@ SubsegmentId Live3::subsegment_between(VertexId a, VertexId b) const {
 std::array<SubsegmentId, 2> Live3::split(SubsegmentId s, VertexId m) {
   Subsegment& old = subsegments_[s.value];
   old.alive = false;
-  const Subsegment first{old.a, m, old.segment}, second{m, old.b, old.segment};
+  Subsegment first{old.a, m, old.segment}, second{m, old.b, old.segment};
+  first.center = second.center = old.center;
+  first.face = second.face = old.face;
   for (const VertexId end : {old.a, old.b}) {
     auto& at = incident_[end.value];
     at.erase(std::find(at.begin(), at.end(), s));
@@ -237,6 +239,10 @@ std::array<SubsegmentId, 2> Live3::split(SubsegmentId s, VertexId m) {
   subsegments_.push_back(second);
   link(left);
   link(right);
+  if (tracks_collars_) {
+    tag_edges(left);
+    tag_edges(right);
+  }
   return {left, right};
 }
 
@@ -368,11 +374,11 @@ bool Live3::probe_faces(const Point3& p, const Feature& feature, VertexId near) 
   return true;
 }
 
-void Live3::commit_to_faces(VertexId v) {
+void Live3::commit_to_faces(VertexId v, SubsegmentId splitting) {
   local_first_.push_back(static_cast<std::uint32_t>(locals_.size()));
   for (const std::uint32_t f : faces_of(feature(v))) {
     const VertexId number = faces_[f].add_vertex(v, triangulation_.point(v));
-    faces_[f].commit(number);
+    faces_[f].commit(number, splitting.value);
     locals_.push_back(number);
   }
 }

@@ -107,6 +107,23 @@ class Live3 {
   /// Ends s; makes (a, m) and (m, b). m is inserted already.
   std::array<SubsegmentId, 2> split(SubsegmentId s, VertexId m);
 
+  // --- collars (thesis, 6.2): segments and arcs in faces, kept like subsegments
+  /// From now on edges of the refinements of faces bear their subsegments as tags, and triangles
+  /// the side of the collars that they are on as labels.
+  void track_collars();
+  bool tracks_collars() const { return tracks_collars_; }
+  /// Makes a collar segment between two vertices of a face, or a collar arc about `center`.
+  SubsegmentId create_collar_element(VertexId a, VertexId b, std::uint32_t face, VertexId center);
+  /// Whether an input vertex is one that circles are about, in the faces that it belongs to: not,
+  /// if there is but one such face and no segment.
+  bool is_protected(VertexId q0) const;
+  /// Tags its edges, where there are some.
+  void tag_edges(SubsegmentId s);
+  /// Whether t lies between the collars and the segments of its face. Finds a lost label again.
+  bool is_in_collar(const FaceTriangle& t);
+  /// Labels all triangles of faces. After all collar elements are edges.
+  void label_collars();
+
   // --- faces
   std::uint32_t face_count() const { return static_cast<std::uint32_t>(faces_.size()); }
   FaceRefinement& face(std::uint32_t f) { return faces_[f]; }
@@ -142,7 +159,8 @@ class Live3 {
   /// feature belongs to; finds their cavities. `near` is a vertex of those faces nearby.
   bool probe_faces(const Point3& p, const Feature& feature, VertexId near);
   /// Inserts v into the cavities found by probe_faces for its point and feature.
-  void commit_to_faces(VertexId v);
+  /// `splitting` is the subsegment or collar element that v splits.
+  void commit_to_faces(VertexId v, SubsegmentId splitting = SubsegmentId());
 
   // --- domain
   /// Whether labels of cells say which part they belong to (see solid_domain.h).
@@ -176,6 +194,8 @@ class Live3 {
   std::vector<std::uint32_t> groups_;  // by face: the first face of its group
   // By face and slot, the birth of the triangle that is frozen.
   std::vector<std::vector<std::uint32_t>> frozen_triangles_;
+  bool tracks_collars_ = false;
+  std::vector<TriangleId> stack_;  // scratch
   bool classified_ = false;
   double rounding_ = 0;
 };

@@ -18,6 +18,10 @@ struct Subsegment {
   /// Valid for an arc of the circle that protects this input vertex (thesis, 5.3.1); its edge is
   /// the chord. An arc lies on no input segment, and is no boundary of the domain.
   VertexId center = {};
+  /// In space, of a collar segment or collar arc (thesis, Table 6.1): the face that it lies in. It
+  /// lies on no input segment.
+  std::uint32_t face = kNoIndex;
+  bool is_collar_element() const { return face != kNoIndex; }
   bool is_arc() const { return center.valid(); }
 };
 

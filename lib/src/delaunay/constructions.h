@@ -63,11 +63,31 @@ inline Point2 arc_midpoint(const Point2& center, double radius, const Point2& a,
   return {center.x + scale * x, center.y + scale * y};
 }
 
+/// Midpoint of the arc from a to b about `center`, less than half a turn, in space: the mean of the
+/// two radii; each coordinate within a few ulp of the largest coordinate.
+inline Point3 arc_midpoint(const Point3& center, const Point3& a, const Point3& b) {
+  const double x = (a.x - center.x) + (b.x - center.x), y = (a.y - center.y) + (b.y - center.y),
+               z = (a.z - center.z) + (b.z - center.z);
+  const double radius = 0.5 * (distance(center, a) + distance(center, b));
+  const double scale = radius / std::sqrt(x * x + y * y + z * z);
+  return {center.x + scale * x, center.y + scale * y, center.z + scale * z};
+}
+
 /// Whether p lies in the open diametral disk of ab, where a and b were rounded onto an arc: inside
 /// by more than the slack, relative to the diameter.
 inline bool in_diametral_disk_of_chord(const Point2& a, const Point2& b, const Point2& p) {
   const double dot = (a.x - p.x) * (b.x - p.x) + (a.y - p.y) * (b.y - p.y);
   return dot < (1 - kLengthSlack) * squared_distance(a, b);
+}
+
+/// The same of a ball in space, where a and b were rounded into a sloping face, by up to
+/// `rounding`.
+inline bool in_diametral_ball_of_chord(const Point3& a, const Point3& b, const Point3& p,
+                                       double rounding) {
+  const double dot =
+      (a.x - p.x) * (b.x - p.x) + (a.y - p.y) * (b.y - p.y) + (a.z - p.z) * (b.z - p.z);
+  const double length2 = squared_distance(a, b);
+  return dot < (1 - kLengthSlack) * length2 - rounding * std::sqrt(length2);
 }
 
 /// Shape of a triangle: what RE(t) and R_t (thesis, Definition 2.1.2) are made of.

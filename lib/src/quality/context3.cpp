@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "circumball/predicates.h"
+#include "complex/box_tree.h"
 #include "complex/planar_sweep.h"
 
 namespace circumball {
@@ -31,6 +32,8 @@ VerifyContext3::VerifyContext3(const Mesh& m, const Complex& c, const VerifyOpti
   match_vertices();
   if (options.domain == "closed") leave_out_vertices_outside();
   measure();
+  face_wanted.assign(complex.faces.size(), 1);
+  if (closed()) leave_out_what_is_outside();
   for (const auto& cell : options.excused) {
     if (cell.size() != 4) continue;
     Cell sorted = {cell[0], cell[1], cell[2], cell[3]};
@@ -244,6 +247,49 @@ void VerifyContext3::measure() {
   const double dx = high[0] - low[0], dy = high[1] - low[1], dz = high[2] - low[2];
   diameter = std::sqrt(dx * dx + dy * dy + dz * dz);
   rounding = 0x1p-49 * largest;
+}
+
+void VerifyContext3::leave_out_what_is_outside() {
+  std::vector<std::uint32_t> unused;
+  for (std::uint32_t i = 0; i < complex.vertices.size(); ++i) {
+    const std::uint32_t v = mesh_vertex[i];
+    if (vertex_wanted[i] && v != kNoIndex && !used[v]) unused.push_back(i);
+  }
+  if (unused.empty() || cells.empty()) return;
+  std::vector<Box3> boxes;
+  for (const Cell& c : cells) {
+    Box3 box = Box3::of(point(c[0]), point(c[1]), point(c[2]));
+    box.extend(Box3::of(point(c[3])));
+    boxes.push_back(box);
+  }
+  const BoxTree3 tree(std::move(boxes));
+  for (const std::uint32_t i : unused) {
+    const Point3& p = complex.vertices[i];
+    bool inside = false;
+    tree.query([&](const Box3& box) { return box.meets(Box3::of(p)); },
+               [&](std::uint32_t c) {
+                 const Cell& v = cells[c];
+                 inside = orient3d(point(v[1]), point(v[3]), point(v[2]), p) != Sign::kNegative &&
+                          orient3d(point(v[0]), point(v[2]), point(v[3]), p) != Sign::kNegative &&
+                          orient3d(point(v[0]), point(v[3]), point(v[1]), p) != Sign::kNegative &&
+                          orient3d(point(v[0]), point(v[1]), point(v[2]), p) != Sign::kNegative;
+                 return !inside;
+               });
+    if (!inside) vertex_wanted[i] = 0;
+  }
+  const auto is_outside = [&](std::uint32_t v) {
+    return v < vertex_wanted.size() && mesh_vertex[v] != kNoIndex && !vertex_wanted[v];
+  };
+  for (std::uint32_t s = 0; s < complex.segments.size(); ++s) {
+    for (const std::uint32_t v : complex.segments[s]) {
+      if (is_outside(v)) segment_wanted[s] = 0;
+    }
+  }
+  for (std::uint32_t f = 0; f < complex.faces.size(); ++f) {
+    for (const auto& loop : complex.faces[f].loops) {
+      if (std::any_of(loop.begin(), loop.end(), is_outside)) face_wanted[f] = 0;
+    }
+  }
 }
 
 }  // namespace circumball

@@ -73,7 +73,8 @@ class VerifyContext3 {
   bool closed() const { return options.domain == "closed"; }
 
   /// Whether the mesh must have the feature: all that are usable, duplicates aside.
-  std::vector<std::uint8_t> vertex_wanted, segment_wanted;
+  /// In a closed domain not those outside: a vertex of no cell that lies in none, and what has one.
+  std::vector<std::uint8_t> vertex_wanted, segment_wanted, face_wanted;
 
   bool excused(const Cell& cell) const;
 
@@ -84,6 +85,7 @@ class VerifyContext3 {
   void match_vertices();
   void leave_out_vertices_outside();
   void measure();
+  void leave_out_what_is_outside();
   std::vector<std::uint32_t> facet_first_, facet_;  // by their lowest corner, then the others
   std::vector<Cell> excused_;
 };
@@ -93,6 +95,7 @@ Check check_topology(const VerifyContext3& context);
 Check check_delaunay(const VerifyContext3& context);
 Check check_input_faces(const VerifyContext3& context);
 Check check_volume(const VerifyContext3& context);
+Check check_collar(const VerifyContext3& context);
 Check check_segment_lower(const VerifyContext3& context);
 Check check_segment_upper(const VerifyContext3& context);
 template <class Context>

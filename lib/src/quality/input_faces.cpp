@@ -294,6 +294,7 @@ Check check_input_faces(const VerifyContext3& context) {
   std::size_t missing = 0;
   const std::size_t faces = context.complex.faces.size();
   for (std::uint32_t f = 0; f < faces && !context.cells.empty(); ++f) {
+    if (!context.face_wanted[f]) continue;  // outside of a closed domain
     const FaceProblem problem = finder.look(f);
     if (problem.why.empty() || missing++ > 0) continue;
     check.worst = problem.at;

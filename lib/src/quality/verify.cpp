@@ -53,6 +53,7 @@ constexpr Entry<VerifyContext3> kChecks3[] = {
     {"input-faces", check_input_faces, conforming, always},
     {"volume", check_volume, always, always},
     {"radius-edge", check_radius_edge, has_tau, has_tau},
+    {"collar", check_collar, asked_only, has_tau},
     {"segment-lower", check_segment_lower, asked_only, always},
     {"segment-upper", check_segment_upper, asked_only, always},
 };

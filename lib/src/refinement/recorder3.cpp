@@ -27,6 +27,7 @@ Event Recorder3::of(EventKind kind, SubsegmentId s) const {
   const Subsegment& u = live_.subsegment(s);
   e.simplex[0] = u.a.value;
   e.simplex[1] = u.b.value;
+  e.simplex[2] = u.center.value;
   e.simplex[3] = u.segment.value;
   return e;
 }

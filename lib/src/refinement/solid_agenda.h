@@ -121,8 +121,10 @@ class SolidAgenda {
   template <class Simplex, class F>
   void insert(Workspace3& w, const SolidView& view, const Rules& rules, const Simplex& s,
               const Proposal3& p, F queue) {
-    const VertexId v =
-        insert_vertex(w, view, w.recorder.insertion_of(s, p.reason), p.at, feature_of(w.live, s));
+    SubsegmentId splitting;
+    if constexpr (std::is_same_v<Simplex, SubsegmentId>) splitting = s;
+    const VertexId v = insert_vertex(w, view, w.recorder.insertion_of(s, p.reason), p.at,
+                                     feature_of(w.live, s), splitting);
     ++insertions_;
     const auto ask = [&](const auto& simplex, const Verdict& why) {
       if (why) queue(simplex, why);
@@ -220,7 +222,9 @@ class SolidAgenda {
   static bool is_frozen(const Live3& live, const FaceTriangle& t) { return live.is_frozen(t); }
   static bool is_frozen(const Live3&, const CellRef&) { return false; }
   static Feature feature_of(const Live3& live, SubsegmentId s) {
-    return {FeatureKind::kSegment, live.subsegment(s).segment.value};
+    const Subsegment& u = live.subsegment(s);
+    if (u.is_collar_element()) return {FeatureKind::kFace, u.face};
+    return {FeatureKind::kSegment, u.segment.value};
   }
   static Feature feature_of(const Live3&, const FaceTriangle& t) {
     return {FeatureKind::kFace, t.face};

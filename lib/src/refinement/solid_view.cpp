@@ -21,10 +21,55 @@ bool SolidView::is_in_face(const FaceTriangle& t) const {
   return k.inside;
 }
 
+bool SolidView::ready(const Point3& p, SubsegmentId s) {
+  const Subsegment& u = live_.subsegment(s);
+  if (!u.is_collar_element()) return View3::ready(p, s);
+  return probe(p, u.a) && live_.probe_faces(p, {FeatureKind::kFace, u.face}, u.a);
+}
+
+void SolidView::propose_collar_elements(const FaceTriangle& t) {
+  segments_.clear();
+  triangles_.clear();
+  const FaceRefinement& face = live_.face(t.face);
+  const Delaunay2& dt = face.triangulation();
+  const double least2 = squared_circumradius(t) / 16;
+  const auto find_at = [&](TriangleId u) {
+    if (dt.is_ghost(u)) return;
+    const auto& v = dt.triangle(u).v;
+    for (unsigned i = 0; i < 3; ++i) {
+      const SubsegmentId s =
+          live_.subsegment_between(face.global(v[i]), face.global(v[(i + 1) % 3]));
+      if (!s.valid() || live_.subsegment(s).face != t.face) continue;
+      if (squared_length(s) > least2) segments_.push_back(s);
+    }
+  };
+  find_at(t.id);
+  if (!segments_.empty()) return;
+  for (unsigned i = 0; i < 3; ++i) find_at(dt.twin(4 * t.id + i) / 4);
+}
+
+bool SolidView::leave_out_protected() {
+  const std::size_t before = segments_.size() + triangles_.size();
+  segments_.erase(
+      std::remove_if(segments_.begin(), segments_.end(),
+                     [&](SubsegmentId s) { return !live_.subsegment(s).is_collar_element(); }),
+      segments_.end());
+  triangles_.erase(std::remove_if(triangles_.begin(), triangles_.end(),
+                                  [&](const FaceTriangle& t) { return is_in_collar(t); }),
+                   triangles_.end());
+  const bool some = segments_.size() + triangles_.size() < before;
+  if (!segments_.empty()) triangles_.clear();
+  return some;
+}
+
 // --- subsegments
 
 bool SolidView::is_missing(SubsegmentId s) const {
   const Subsegment& u = live_.subsegment(s);
+  if (u.is_collar_element()) {
+    const Delaunay2& dt = live_.face(u.face).triangulation();
+    return dt.find_edge(live_.local(u.a, u.face), live_.local(u.b, u.face)) == kNone;
+  }
   if (!dt_.has_edge(u.a, u.b)) return true;
   for (const std::uint32_t f : live_.incidence().faces_of_segment(u.segment.value)) {
     const Delaunay2& dt = live_.face(f).triangulation();
@@ -57,7 +102,8 @@ Verdict SolidView::encroached_by(SubsegmentId s, VertexId v) const {
 bool SolidView::triangle_ball_holds(const FaceTriangle& t, const Point3& p) const {
   const auto v = corners(t);
   const TriangleBall ball = triangle_ball(dt_.point(v[0]), dt_.point(v[1]), dt_.point(v[2]), p);
-  return ball.power < (1 - kLengthSlack * kLengthSlack) * ball.radius2;
+  return ball.power < (1 - kLengthSlack * kLengthSlack) * ball.radius2 -
+                          2 * live_.rounding() * std::sqrt(ball.radius2);
 }
 
 Verdict SolidView::encroached_by(const FaceTriangle& t, VertexId v) const {
@@ -231,9 +277,10 @@ Outlook3 SolidView::look(const Point3& p, const CellRef& c) {
   }
   if (!probe_from(p, c.slot) || !cavity_holds(c.slot)) return Outlook3::kCoincides;
   find_encroached_segments(p);
-  if (!segments_.empty()) return Outlook3::kEncroaches;
+  if (!segments_.empty() && !live_.tracks_collars()) return Outlook3::kEncroaches;
   find_encroached_triangles(p);
-  return triangles_.empty() ? outside_or_free() : Outlook3::kEncroaches;
+  if (!segments_.empty() || !triangles_.empty()) return Outlook3::kEncroaches;
+  return outside_or_free();
 }
 
 }  // namespace circumball

@@ -46,6 +46,12 @@ class SolidView : public View3 {
   using View3::in_domain;
   bool in_domain(const CellRef& c) const { return live_.is_in_domain(c.slot); }
   using View3::ready;
+  bool ready(const Point3& p, SubsegmentId s);
+  void found_acceptable(SubsegmentId s) {
+    if (live_.tracks_collars()) live_.tag_edges(s);
+  }
+  void found_acceptable(const FaceTriangle&) {}
+  void found_acceptable(const CellRef&) {}
   bool ready(const Point3&, const CellRef&) const { return true; }  // looked at by the action
   bool may_split(SubsegmentId s) const { return alive(s) && !live_.subsegment(s).frozen; }
   bool may_split(const FaceTriangle& t) const { return alive(t) && !live_.is_frozen(t); }
@@ -57,7 +63,13 @@ class SolidView : public View3 {
     for (const FaceTriangle& t : triangles_) f(t);
   }
 
-  // --- subsegments
+  // --- subsegments, collar segments and collar arcs
+  /// Of an arc: the midpoint of the arc.
+  Point3 midpoint(SubsegmentId s) const {
+    const Subsegment& u = live_.subsegment(s);
+    if (!u.is_arc()) return View3::midpoint(s);
+    return arc_midpoint(dt_.point(u.center), dt_.point(u.a), dt_.point(u.b));
+  }
   /// Whether the open diametral ball of s holds a vertex, exactly; or s is not an edge of the
   /// tetrahedralization, or of the triangulation of a face that it lies in, although the ball is
   /// empty: vertices on its sphere took the edge by a tie.
@@ -74,6 +86,13 @@ class SolidView : public View3 {
   Verdict encroachment(const FaceTriangle& t) const;
   /// The same, where v is new and all else is known.
   Verdict encroached_by(const FaceTriangle& t, VertexId v) const;
+  bool is_in_collar(const FaceTriangle& t) const { return live_.is_in_collar(t); }
+  /// Finds the collar elements that bound a triangle of a collar: its edges, or where none is one,
+  /// those of the triangles beside it. Not those that are short beside it already.
+  void propose_collar_elements(const FaceTriangle& t);
+  /// Leaves out what protected simplices are: subsegments and triangles of collars. Returns whether
+  /// there were some.
+  bool leave_out_protected();
   /// Looks at the circumcenter c of t: whether it encroaches upon segments.
   Outlook3 look(const Point3& c, const FaceTriangle& t);
 
@@ -134,7 +153,8 @@ class SolidView : public View3 {
     return v != Delaunay3::kGhost && live_.feature(v).kind != FeatureKind::kFree;
   }
   bool can_end_subsegment(VertexId v) const {
-    return v != Delaunay3::kGhost && live_.feature(v).kind <= FeatureKind::kSegment;
+    const FeatureKind last = live_.tracks_collars() ? FeatureKind::kFace : FeatureKind::kSegment;
+    return v != Delaunay3::kGhost && live_.feature(v).kind <= last;
   }
   template <class F>
   void for_each_around(VertexId v, std::uint32_t face, F f) const {
@@ -147,7 +167,9 @@ class SolidView : public View3 {
   }
   bool segment_ball_holds(SubsegmentId s, const Point3& p) const {
     const Subsegment& u = live_.subsegment(s);
-    return in_diametral_ball(dt_.point(u.a), dt_.point(u.b), p) == Sign::kPositive;
+    const Point3 &a = dt_.point(u.a), &b = dt_.point(u.b);
+    if (u.is_collar_element()) return in_diametral_ball_of_chord(a, b, p, live_.rounding());
+    return in_diametral_ball(a, b, p) == Sign::kPositive;
   }
   bool triangle_ball_holds(const FaceTriangle& t, const Point3& p) const;
   bool is_missing(SubsegmentId s) const;

@@ -3,11 +3,11 @@
 namespace circumball {
 
 VertexId insert_vertex(Workspace3& w, const View3& view, const Event& event, const Point3& p,
-                       const Feature& feature) {
+                       const Feature& feature, SubsegmentId splitting) {
   const double radius = w.recorder.on() ? view.insertion_radius(p) : 0;
   const VertexId v = w.live.add_vertex(p, feature);
   w.live.triangulation().commit(v);
-  w.live.commit_to_faces(v);
+  w.live.commit_to_faces(v, splitting);
   ++w.inserted;
   w.recorder.inserted(event, v, radius);
   return v;
@@ -27,7 +27,7 @@ std::optional<std::array<SubsegmentId, 2>> split_at(Workspace3& w, SubsegmentId 
     return refuse(Reason::kMinEdge, Reason::kLimitMinEdge);
   }
   const Feature on{FeatureKind::kSegment, view.subsegment(s).segment.value};
-  return w.live.split(s, insert_vertex(w, view, w.recorder.insertion_of(s, why), p, on));
+  return w.live.split(s, insert_vertex(w, view, w.recorder.insertion_of(s, why), p, on, s));
 }
 
 }  // namespace circumball

@@ -12,7 +12,7 @@ namespace circumball {
 /// Inserts the point just looked at, as a vertex on `feature`, into the tetrahedralization and into
 /// the faces that it belongs to, and records it; `event` comes from Recorder3::insertion_of.
 VertexId insert_vertex(Workspace3& w, const View3& view, const Event& event, const Point3& p,
-                       const Feature& feature);
+                       const Feature& feature, SubsegmentId splitting = SubsegmentId());
 
 /// Splits s at p, a rounded point of it, and records it. The halves are in the order of the ends of
 /// s. Nothing, recorded as refused, where p coincides with a vertex, or is nearer to one than

@@ -64,6 +64,7 @@ std::string simplex_words(const Event& e) {
         return "The arc about input vertex " + std::to_string(e.simplex[2]) + " between vertices " +
                list_of(e);
       }
+      if (e.simplex[3] == kNoIndex) return "The collar segment between vertices " + list_of(e);
       return "The piece of segment " + std::to_string(e.simplex[3]) + " between vertices " +
              list_of(e);
     case 2:

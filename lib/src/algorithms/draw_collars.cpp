@@ -1,0 +1,235 @@
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "algorithms/protect3.h"
+#include "protection/segment_clearance.h"
+#include "refinement/split_at3.h"
+
+namespace circumball {
+namespace {
+
+/// Heights of collar vertices, in lengths of subsegments. The thesis has 1/2, at which midpoints of
+/// split collar segments fall on the diametral spheres of subsegments.
+constexpr double kHeight = 0.6;
+
+Point2 minus(const Point2& a, const Point2& b) { return {a.x - b.x, a.y - b.y}; }
+Point2 plus(const Point2& a, double s, const Point2& d) { return {a.x + s * d.x, a.y + s * d.y}; }
+double cross(const Point2& a, const Point2& b) { return a.x * b.y - a.y * b.x; }
+double dot(const Point2& a, const Point2& b) { return a.x * b.x + a.y * b.y; }
+
+class DrawCollars final : public Stage3 {
+ public:
+  DrawCollars() : Stage3("2c", "Draw collars in the faces") {}
+
+  void begin(Workspace3& w) override { w.live.track_collars(); }
+
+  bool advance(Workspace3& w, Budget& budget) override {
+    for (; face_ < w.live.face_count(); ++face_) {
+      if (!budget.spend() || !w.within_limits()) return false;
+      ++w.iterations;
+      draw_in(w, face_);
+    }
+    return true;
+  }
+
+ private:
+  /// A rule-2 vertex: on the circle about an input vertex, on one side of an end segment.
+  struct OnCircle {
+    VertexId center;
+    Point2 along;  // direction of the end segment, from the center
+    double side;   // 1: to the left of it, -1: to the right
+    VertexId vertex;
+  };
+
+  /// The vertices on an input segment, in order.
+  static std::vector<VertexId> chain(const Live3& live, std::uint32_t segment) {
+    std::vector<VertexId> list{VertexId(live.complex().segments[segment][0])};
+    SubsegmentId from;
+    for (;;) {
+      SubsegmentId next;
+      for (const SubsegmentId s : live.subsegments_at(list.back())) {
+        if (live.subsegment(s).segment.value == segment && s != from) next = s;
+      }
+      if (!next.valid()) return list;
+      const Subsegment& u = live.subsegment(next);
+      list.push_back(u.a == list.back() ? u.b : u.a);
+      from = next;
+    }
+  }
+
+  void draw_in(Workspace3& w, std::uint32_t f) {
+    Live3& live = w.live;
+    const FacePlane& plane = live.face(f).plane();
+    on_circles_.clear();
+    for (const std::uint32_t k : segments_of(live, f)) {
+      const std::vector<VertexId> v = chain(live, k);
+      if (v.size() < 4) continue;
+      std::vector<Point2> at;
+      for (const VertexId q : v) at.push_back(plane.to_plane(live.triangulation().point(q)));
+      const Point2 whole = minus(at.back(), at.front());
+      const double length = std::sqrt(dot(whole, whole));
+      const Point2 t{whole.x / length, whole.y / length};
+      for (const double side : {1.0, -1.0}) draw_beside(w, f, v, at, t, side);
+    }
+    draw_circles(w, f);
+  }
+
+  static std::vector<std::uint32_t> segments_of(const Live3& live, std::uint32_t f) {
+    std::vector<std::uint32_t> list;
+    for (const std::uint32_t v : live.incidence().vertices_of_face(f)) {
+      for (const std::uint32_t s : live.incidence().segments_of_vertex(v)) {
+        if (live.incidence().face_has_segment(f, s)) list.push_back(s);
+      }
+    }
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+    return list;
+  }
+
+  /// Rules 1 and 2, on one side of a segment, and the collar segments between.
+  void draw_beside(Workspace3& w, std::uint32_t f, const std::vector<VertexId>& v,
+                   const std::vector<Point2>& at, const Point2& t, double side) {
+    const Point2 n{-side * t.y, side * t.x};
+    const std::size_t last = v.size() - 1;
+    const auto size = [&](std::size_t i) {
+      const Point2 d = minus(at[i + 1], at[i]);
+      return std::sqrt(dot(d, d));
+    };
+    std::vector<Point2> places;
+    for (std::size_t i = 1; i < last; ++i) {
+      if (i == 1 || i == last - 1) {
+        const double d = i == 1 ? size(0) : size(last - 1);
+        const double h = kHeight * (i == 1 ? size(1) : size(last - 2));
+        const double x = std::sqrt(std::max(d * d - h * h, 0.0));
+        places.push_back(plus(plus(i == 1 ? at[0] : at[last], i == 1 ? x : -x, t), h, n));
+      } else {
+        places.push_back(plus(at[i], kHeight * std::max(size(i - 1), size(i)), n));
+      }
+    }
+    const FacePlane& plane = w.live.face(f).plane();
+    if (!plane.contains(places[places.size() / 2])) return;
+    VertexId before;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const VertexId p = insert(w, f, places[i], v[i + 1], Reason::kCollar);
+      if (p.valid() && before.valid()) create(w, before, p, f, VertexId());
+      before = p;
+      if (i == 0) on_circles_.push_back({v[0], t, side, p});
+      if (i + 1 == places.size()) on_circles_.push_back({v[last], {-t.x, -t.y}, -side, p});
+    }
+  }
+
+  VertexId insert(Workspace3& w, std::uint32_t f, const Point2& at, VertexId near, Reason why) {
+    const Point3 p = w.live.face(f).plane().to_space(at);
+    Delaunay3& dt = w.live.triangulation();
+    const Feature feature{FeatureKind::kFace, f};
+    if (dt.probe(p, dt.cell_of(near)) != Delaunay3::Probe::kOk ||
+        !w.live.probe_faces(p, feature, near)) {
+      ++w.refused;
+      w.refusal_limit = Reason::kLimitPrecision;
+      return VertexId();
+    }
+    const View3 view(w.live, w.recorder.on());
+    return insert_vertex(w, view, w.recorder.insertion(why), p, feature);
+  }
+
+  static void create(Workspace3& w, VertexId a, VertexId b, std::uint32_t f, VertexId center) {
+    w.live.create_collar_element(a, b, f, center);
+  }
+
+  /// Rule 3: arcs about input vertices, none longer than a quarter turn.
+  void draw_circles(Workspace3& w, std::uint32_t f) {
+    const FacePlane& plane = w.live.face(f).plane();
+    for (const std::uint32_t v : w.live.incidence().vertices_of_face(f)) {
+      const VertexId q0(v);
+      const Point2 center = plane.to_plane(w.live.triangulation().point(q0));
+      std::vector<OnCircle> left, right;
+      for (const OnCircle& c : on_circles_) {
+        if (c.center == q0 && c.vertex.valid()) (c.side > 0 ? left : right).push_back(c);
+      }
+      // From the left side of each end segment to the right side of the next one,
+      // counter-clockwise.
+      for (const OnCircle& from : left) {
+        const OnCircle* to = nullptr;
+        for (const OnCircle& c : right) {
+          if (to == nullptr || is_before(from.along, c.along, to->along)) to = &c;
+        }
+        if (to == nullptr) continue;
+        draw_arc(w, f, q0, center, from.vertex, to->vertex);
+      }
+      if (left.empty() && right.empty()) draw_circle(w, f, q0, center);
+    }
+  }
+
+  /// Whether, turning counter-clockwise from `from`, a comes before b. `from` itself comes last.
+  static bool is_before(const Point2& from, const Point2& a, const Point2& b) {
+    const auto half = [&](const Point2& d) {
+      const double c = cross(from, d), scale = 1e-12;
+      if (c > scale) return 0;
+      if (c < -scale) return 2;
+      return dot(from, d) < 0 ? 1 : 3;
+    };
+    if (half(a) != half(b)) return half(a) < half(b);
+    return cross(a, b) > 0;
+  }
+
+  void draw_arc(Workspace3& w, std::uint32_t f, VertexId q0, const Point2& center, VertexId from,
+                VertexId to) {
+    if (from == to) return;
+    const FacePlane& plane = w.live.face(f).plane();
+    const Point2 a = minus(plane.to_plane(w.live.triangulation().point(from)), center);
+    const Point2 b = minus(plane.to_plane(w.live.triangulation().point(to)), center);
+    const double radius = std::sqrt(dot(a, a));
+    if (cross(a, b) > 0 && dot(a, b) > -1e-9 * radius * radius) {
+      return create(w, from, to, f, q0);
+    }
+    // Halved: along the mean of the ends, or opposite to it where they are more than half a turn
+    // apart.
+    Point2 mean{a.x + b.x, a.y + b.y};
+    const double size = std::sqrt(dot(mean, mean));
+    if (size < 1e-6 * radius) {
+      mean = {-a.y, a.x};
+    } else if (cross(a, b) < 0) {
+      mean = {-mean.x, -mean.y};
+    }
+    const double scale = radius / std::sqrt(dot(mean, mean));
+    const VertexId m = insert(w, f, plus(center, scale, mean), from, Reason::kCircle);
+    if (!m.valid()) return;
+    draw_arc(w, f, q0, center, from, m);
+    draw_arc(w, f, q0, center, m, to);
+  }
+
+  /// About a vertex inside of the face, where something else meets it: a segment, another face.
+  void draw_circle(Workspace3& w, std::uint32_t f, VertexId q0, const Point2& center) {
+    const auto& ends = w.live.subsegments_at(q0);
+    double radius = 0;
+    if (!ends.empty()) {
+      const Subsegment& u = w.live.subsegment(ends[0]);
+      radius = distance(w.live.triangulation().point(u.a), w.live.triangulation().point(u.b));
+    } else if (w.live.is_protected(q0)) {
+      if (!clearance_) clearance_.emplace(w.live.complex(), w.live.incidence());
+      radius = 0.45 * clearance_->of_vertex(q0.value);
+    }
+    if (radius == 0) return;
+    VertexId first, before, near = q0;
+    for (const Point2& d : {Point2{1, 0}, Point2{0, 1}, Point2{-1, 0}, Point2{0, -1}}) {
+      const VertexId p = insert(w, f, plus(center, radius, d), near, Reason::kCircle);
+      if (!p.valid()) return;
+      if (before.valid()) create(w, before, p, f, q0);
+      if (!first.valid()) first = p;
+      before = near = p;
+    }
+    create(w, before, first, f, q0);
+  }
+
+  std::uint32_t face_ = 0;
+  std::vector<OnCircle> on_circles_;
+  std::optional<SegmentClearance> clearance_;
+};
+
+}  // namespace
+
+std::unique_ptr<Stage3> draw_collars() { return std::make_unique<DrawCollars>(); }
+
+}  // namespace circumball

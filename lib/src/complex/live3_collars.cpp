@@ -1,0 +1,107 @@
+#include <algorithm>
+
+#include "complex/live3.h"
+
+namespace circumball {
+namespace {
+
+/// Labels of triangles in the refinement of a face.
+enum CollarLabel : std::uint32_t { kLost = 0, kInCollar = 1, kBeyond = 2, kOnTheWay = 3 };
+
+}  // namespace
+
+void Live3::track_collars() {
+  tracks_collars_ = true;
+  for (std::uint32_t i = 0; i < subsegment_count(); ++i) {
+    if (subsegments_[i].alive) tag_edges(SubsegmentId(i));
+  }
+}
+
+SubsegmentId Live3::create_collar_element(VertexId a, VertexId b, std::uint32_t face,
+                                          VertexId center) {
+  Subsegment element{a, b, SegmentId()};
+  element.face = face;
+  element.center = center;
+  const SubsegmentId s(subsegment_count());
+  subsegments_.push_back(element);
+  link(s);
+  tag_edges(s);
+  return s;
+}
+
+void Live3::tag_edges(SubsegmentId s) {
+  const Subsegment& u = subsegments_[s.value];
+  const auto tag = [&](std::uint32_t f) {
+    Delaunay2& dt = faces_[f].triangulation();
+    const HalfEdge h = dt.find_edge(local(u.a, f), local(u.b, f));
+    if (h != kNone) dt.set_tag(h, s.value);
+  };
+  if (u.is_collar_element()) return tag(u.face);
+  for (const std::uint32_t f : incidence_.faces_of_segment(u.segment.value)) tag(f);
+}
+
+bool Live3::is_protected(VertexId q0) const {
+  return !incident_[q0.value].empty() || faces_of(feature(q0)).size() > 1;
+}
+
+void Live3::label_collars() {
+  for (std::uint32_t f = 0; f < face_count(); ++f) {
+    Delaunay2& dt = faces_[f].triangulation();
+    stack_.clear();
+    const auto seed = [&](TriangleId t) {
+      if (dt.is_ghost(t) || dt.triangle(t).label == kInCollar) return;
+      dt.set_label(t, kInCollar);
+      stack_.push_back(t);
+    };
+    for (TriangleId t = 0; t < dt.slot_count(); ++t) dt.set_label(t, kBeyond);
+    for (TriangleId t = 0; t < dt.slot_count(); ++t) {
+      if (dt.is_ghost(t)) continue;
+      const auto& v = dt.triangle(t).v;
+      const FaceRefinement& face = faces_[f];
+      if (!is_in_face(f, face.global(v[0]), face.global(v[1]), face.global(v[2]))) continue;
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        const std::uint32_t tag = dt.tag(4 * t + i);
+        const Feature& at = feature(face.global(v[i]));
+        // On a segment, or at an input vertex that a circle is about.
+        if (tag != kNone && !subsegments_[tag].is_collar_element()) seed(t);
+        if (at.kind == FeatureKind::kVertex && is_protected(face.global(v[i]))) seed(t);
+      }
+    }
+    while (!stack_.empty()) {
+      const TriangleId t = stack_.back();
+      stack_.pop_back();
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        if (dt.tag(4 * t + i) == kNone) seed(dt.twin(4 * t + i) / 4);
+      }
+    }
+  }
+}
+
+bool Live3::is_in_collar(const FaceTriangle& t) {
+  if (!tracks_collars_) return false;
+  Delaunay2& dt = faces_[t.face].triangulation();
+  std::uint32_t label = dt.triangle(t.id).label;
+  if (label != kLost) return label == kInCollar;
+  // Flood what lost its label until a triangle is met that has it.
+  std::vector<TriangleId> piece{t.id};
+  dt.set_label(t.id, kOnTheWay);
+  for (std::size_t next = 0; next < piece.size(); ++next) {
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const HalfEdge h = 4 * piece[next] + i;
+      const TriangleId u = dt.twin(h) / 4;
+      if (dt.tag(h) != kNone || dt.is_ghost(u)) continue;
+      const std::uint32_t other = dt.triangle(u).label;
+      if (other == kLost) {
+        dt.set_label(u, kOnTheWay);
+        piece.push_back(u);
+      } else if (other != kOnTheWay) {
+        label = other;
+      }
+    }
+  }
+  if (label == kLost) label = kBeyond;
+  for (const TriangleId u : piece) dt.set_label(u, label);
+  return label == kInCollar;
+}
+
+}  // namespace circumball

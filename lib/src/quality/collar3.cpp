@@ -1,0 +1,139 @@
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "complex/box_tree.h"
+#include "feature_size/vectors.h"
+#include "quality/context3.h"
+#include "quality/tetrahedron_measure.h"
+
+namespace circumball {
+namespace {
+
+/// Vertices on arcs and in sloping faces are rounded, and balls are compared with a slack when they
+/// are made: the same here, relative to squared lengths.
+constexpr double kRoundedPower = 1e-9;
+
+/// The smallest ball of an edge or of a triangle.
+struct Ball {
+  Point3 center;
+  double radius2 = 0;
+};
+
+Ball ball_of(const Point3& a, const Point3& b) {
+  const Point3 d = b - a;
+  return {{a.x + 0.5 * d.x, a.y + 0.5 * d.y, a.z + 0.5 * d.z}, 0.25 * dot(d, d)};
+}
+
+Ball ball_of(const Point3& a, const Point3& b, const Point3& c) {
+  const Point3 u = b - a, v = c - a, n = cross(u, v);
+  const double uu = dot(u, u), vv = dot(v, v), t = 0.5 / dot(n, n);
+  const Point3 vn = cross(v, n), nu = cross(n, u);
+  const Point3 o = {(uu * vn.x + vv * nu.x) * t, (uu * vn.y + vv * nu.y) * t,
+                    (uu * vn.z + vv * nu.z) * t};
+  return {{a.x + o.x, a.y + o.y, a.z + o.z}, dot(o, o)};
+}
+
+struct Vector2fold {
+  Twofold x, y, z;
+};
+Twofold negative(const Twofold& a) { return {-a.high, -a.low}; }
+Vector2fold cross(const Vector2fold& a, const Vector2fold& b) {
+  const auto minor = [](const Twofold& p, const Twofold& q, const Twofold& r, const Twofold& t) {
+    return p * t + negative(q * r);
+  };
+  return {minor(a.y, a.z, b.y, b.z), minor(a.z, a.x, b.z, b.x), minor(a.x, a.y, b.x, b.y)};
+}
+Twofold dot(const Vector2fold& a, const Vector2fold& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+/// In twice the digits: flat tetrahedra are normal, as rectangles beside segments are cocircular.
+Point3 circumcenter(const Point3& o, const Point3& p, const Point3& q, const Point3& r) {
+  const auto from_o = [&](const Point3& v) -> Vector2fold {
+    return {Twofold{v.x} + Twofold{-o.x}, Twofold{v.y} + Twofold{-o.y},
+            Twofold{v.z} + Twofold{-o.z}};
+  };
+  const Vector2fold a = from_o(p), b = from_o(q), c = from_o(r);
+  const Vector2fold bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
+  const Twofold a2 = dot(a, a), b2 = dot(b, b), c2 = dot(c, c);
+  const double t = 0.5 / dot(a, bc).high;
+  return {o.x + (a2 * bc.x + b2 * ca.x + c2 * ab.x).high * t,
+          o.y + (a2 * bc.y + b2 * ca.y + c2 * ab.y).high * t,
+          o.z + (a2 * bc.z + b2 * ca.z + c2 * ab.z).high * t};
+}
+
+}  // namespace
+
+/// Theorem 6.11: the circumcenter of any tetrahedron with RE(t) > tau lies in the ball of a collar
+/// simplex. Collar simplices are read off the mesh: its subsegments, its facets in faces that touch
+/// a segment or an input vertex, and those facets between that have no vertex but collar vertices:
+/// all neighbors along such facets of vertices on segments.
+Check check_collar(const VerifyContext3& context) {
+  Check check;
+  check.name = "collar";
+  const Mesh& mesh = context.mesh;
+  const double tau = context.options.tau.value_or(0);
+  const auto on_segment = [&](std::uint32_t v) {
+    return v < mesh.vertex_features.size() && mesh.vertex_features[v].kind <= FeatureKind::kSegment;
+  };
+  const auto usable = [&](std::uint32_t v) { return v < context.used.size() && context.used[v]; };
+  std::vector<std::uint8_t> beside(mesh.vertices.size(), 0);
+  for (const MeshFacet& f : mesh.facets) {
+    if (!usable(f.a) || !usable(f.b) || !usable(f.c)) continue;
+    if (!on_segment(f.a) && !on_segment(f.b) && !on_segment(f.c)) continue;
+    for (const std::uint32_t v : {f.a, f.b, f.c}) beside[v] = 1;
+  }
+  std::vector<Ball> balls;
+  std::vector<Box3> boxes;
+  const auto add = [&](const Ball& ball) {
+    const double r = std::sqrt(ball.radius2) * (1 + kRoundedPower);
+    const Point3& c = ball.center;
+    balls.push_back(ball);
+    boxes.push_back(Box3::of({c.x - r, c.y - r, c.z - r}, {c.x + r, c.y + r, c.z + r}));
+  };
+  for (const MeshEdge& e : mesh.edges) {
+    if (usable(e.a) && usable(e.b)) add(ball_of(context.point(e.a), context.point(e.b)));
+  }
+  for (const MeshFacet& f : mesh.facets) {
+    if (!usable(f.a) || !usable(f.b) || !usable(f.c)) continue;
+    if (!beside[f.a] || !beside[f.b] || !beside[f.c]) continue;
+    add(ball_of(context.point(f.a), context.point(f.b), context.point(f.c)));
+  }
+  const BoxTree3 tree(std::move(boxes));
+  std::size_t allowed = 0, bad = 0;
+  for (const auto& cell : context.cells) {
+    const Point3 &a = context.point(cell[0]), &b = context.point(cell[1]),
+                 &c = context.point(cell[2]), &d = context.point(cell[3]);
+    const TetrahedronMeasure m = measure_tetrahedron(a, b, c, d);
+    if (m.radius_edge * (1 - 2 * m.error) <= tau) continue;
+    const Point3 center = circumcenter(a, b, c, d);
+    bool covered = false;
+    tree.query([&](const Box3& box) { return box.meets(Box3::of(center)); },
+               [&](std::uint32_t i) {
+                 const Point3 q = center - balls[i].center;
+                 covered = dot(q, q) <= balls[i].radius2 * (1 + kRoundedPower);
+                 return !covered;
+               });
+    if (covered) {
+      ++allowed;
+    } else if (bad++ == 0) {
+      check.worst = {cell[0], cell[1], cell[2], cell[3]};
+    }
+  }
+  check.ok = bad == 0;
+  check.bound = 0;
+  check.observed = static_cast<double>(bad);
+  check.detail = count_text(allowed, "cell") +
+                 " above tau with its circumcenter in the ball of one of " +
+                 std::to_string(balls.size()) + " collar simplices (thesis, Theorem 6.11)";
+  if (bad > 0) {
+    check.detail =
+        count_text(bad, "cell") +
+        " above tau with its circumcenter in no ball of a collar simplex, the first is " +
+        vertices_text(check.worst);
+  }
+  return check;
+}
+
+}  // namespace circumball
