@@ -111,13 +111,17 @@ function reachable(root, files) {
   return found;
 }
 
-/** Verification shares no code with what made the mesh, the predicates and the evaluation of sizing functions aside. */
+/**
+ * Verification shares no code with what made the mesh, the predicates and the evaluation of sizing functions aside; and
+ * the tree of boxes, a container that decides nothing.
+ */
 function sharedWithMesher(root) {
   const under = (layer) => sourcesUnder(join(root, 'lib/src', layer));
   const mesher = reachable(root, [...under('refinement'), ...under('algorithms')]);
   const verifier = reachable(root, under('quality'));
   return [...verifier].filter(
-    (name) => mesher.has(name) && !/^(predicates|expression|sizing)\//.test(name),
+    (name) =>
+      mesher.has(name) && !/^((predicates|expression|sizing)\/|complex\/box_tree\.h$)/.test(name),
   );
 }
 

@@ -45,9 +45,10 @@ struct Check {
 /// without gap or overlap), "area" (areas of the cells add up to the domain's area, from exact
 /// signed areas of loops, relative 1e-9 and what rounding of vertices can move), "radius-edge"
 /// (every cell has circumradius / shortest edge <= tau, with the rounding error of the measurement
-/// as slack), "collar" (Theorem 5.7: the circumcenter of every cell above tau lies in the diametral
-/// disk of a collar simplex), "intestine" and "max-angle" (Theorem 5.11: cells above tau lie in the
-/// disks that protect acute input angles; no angle above 180 degrees - 2 kappa), "min-angle" (chew:
+/// as slack), "collar" (Theorem 5.7, in space 6.11: the circumcenter of every cell above tau lies
+/// in the diametral disk, or the ball, of a collar simplex), "intestine" and "max-angle"
+/// (Theorem 5.11: cells above tau lie in the disks that protect acute input angles; no angle above
+/// 180 degrees - 2 kappa), "min-angle" (chew:
 /// >= 30 degrees), "size" (circumradius <= size), "sizing" (circumradius <= infimum of the sizing
 /// function over the cell, by certain bounds), "sizing-lower" (fem-size: Theorem 7.13, the other
 /// side), "nearest-neighbor" (Theorem 2.3: N(q0) <= sqrt 2 lfs(q0) for each input vertex; lfs by
