@@ -79,3 +79,8 @@ export interface TraceEvent {
   readonly place: Point3; // all three
   readonly value: number;
 }
+
+/** The vertices of what a circumcenter yields to: two of a subsegment; in space also three of a triangle of face `subject`. */
+export function yieldedTo(e: TraceEvent): readonly number[] {
+  return e.value > 0 ? [...e.other, e.value - 1] : e.other;
+}

@@ -7,7 +7,7 @@ import {
   type Point3,
   type RuleName,
 } from '../shared/types.ts';
-import { Kind, NONE, Reason, type TraceEvent } from './event.ts';
+import { Kind, NONE, Reason, type TraceEvent, yieldedTo } from './event.ts';
 import { circumcircle, distance, midpoint, point } from './geometry.ts';
 import { type Ball3, circumball, distance3, point3 } from './geometry3.ts';
 import type { Replay } from './replay.ts';
@@ -45,7 +45,8 @@ export function momentAt(
     rule: ruleOf(e),
     simplex: acting ? e.simplex : [],
     witness: witnessOf(e),
-    yieldTo: yields ? e.other : null,
+    yieldTo: yields && e.value === 0 ? e.other : null,
+    yieldFace: yields && e.value > 0 ? yieldedTo(e) : null,
     vertex: e.kind === Kind.inserted ? e.subject : null,
     change: replay.change(position - 1, forward),
     sentence: sentenceOf(e, trace.steps, trace.dimension, domainCounts(replay, e)),

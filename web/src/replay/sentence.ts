@@ -1,5 +1,5 @@
 import { formatCount, formatNumber, simplexName } from '../words.ts';
-import { Kind, NONE, Reason, type TraceEvent } from './event.ts';
+import { Kind, NONE, Reason, type TraceEvent, yieldedTo } from './event.ts';
 
 /**
  * The sentence of an event, in the words of the four rules, naming the witness: what circumball::describe says for the
@@ -29,7 +29,9 @@ export function sentenceOf(
     case Kind.refused:
       return `${capital(name)} is not safe to split: ${refusal(e)}.`;
     case Kind.yielded: {
-      const other = simplexName(e.other, e.subject);
+      const to = yieldedTo(e);
+      const other =
+        to.length === 3 ? simplexName(to, NONE, e.subject) : simplexName(to, e.subject, NONE);
       return `The circumcenter of ${name} encroaches upon ${other}, so it yields: that is queued instead, and the ${simplexSort(e)} goes back.`;
     }
     case Kind.inserted:

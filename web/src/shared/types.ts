@@ -168,6 +168,7 @@ interface MomentOf<P> {
   readonly ball: { readonly center: P; readonly radius: number } | null; // thin circle, or a sphere
   readonly ghost: P | null; // refused or yielding point: hollow, with a cross
   readonly yieldTo: readonly [number, number] | null; // subsegment: arrow from the ghost to its midpoint
+  readonly yieldFace?: readonly number[] | null; // in space, triangle of a face: arrow to its centroid
   readonly vertex: number | null; // the vertex that has just landed
   readonly change: MeshChange | null;
   readonly sentence: string;

@@ -31,6 +31,9 @@ export function momentUnder3(moment: Moment3, state: MeshState, theme: PictureTh
     const [a, b] = cornersOf(moment.yieldTo, state);
     if (a && b) items.lines.push({ a, b, color: theme.yielding, width: 10, opacity: 0.5 });
   }
+  const yieldFace = moment.yieldFace ? cornersOf(moment.yieldFace, state) : [];
+  for (const [a, b] of edgesOf(yieldFace))
+    items.lines.push({ a, b, color: theme.yielding, width: 6, opacity: 0.5 });
   if (moment.ball)
     items.spheres.push({ ...moment.ball, color: theme.ball, opacity: 0.1, width: 1.5 });
   const { facets } = state;
@@ -74,10 +77,13 @@ export function momentOver3(
   if (corners.length === 1 && moment.kind !== 'inserted')
     items.marks.push({ at: corners[0]!, shape: 'disc', size: 16, stroke: theme.acting, width: 3 });
   const { ghost } = moment;
-  if (ghost && moment.yieldTo) {
-    const [a, b] = cornersOf(moment.yieldTo, state);
-    if (a && b) {
-      const at = plus(a, minus(b, a), 0.5);
+  const yieldTo = moment.yieldFace ?? moment.yieldTo;
+  if (ghost && yieldTo) {
+    const to = cornersOf(yieldTo, state);
+    if (to.length === yieldTo.length) {
+      const [a, b, c] = to as [Point3, Point3, Point3?];
+      const half = plus(a, minus(b, a), 0.5);
+      const at = c ? plus(half, minus(c, half), 1 / 3) : half;
       items.lines.push({ a: ghost, b: at, color: theme.yielding, width: 2.4 });
       items.marks.push({ at, from: ghost, shape: 'arrow', size: 14, fill: theme.yielding });
     }
