@@ -14,12 +14,6 @@
 namespace circumball {
 namespace {
 
-/// (H2): a subsegment that is no end segment is shorter than this part of its distance from what it
-/// does not belong to. The thesis has c < 1, and 0.9 would do elsewhere; but rule 2 puts a vertex
-/// at height eta |s'| on the circle about q0, for both of two segments at q0, and eta c < 1/2 keeps
-/// their arcs apart at any angle.
-constexpr double kClearance = 0.8;
-
 /// Algorithm 4.1, by itself: only its vertices on segments are kept.
 class FeatureSizeRun3 {
  public:
@@ -57,7 +51,8 @@ class FeatureSizeRun3 {
 
 class PrepareSegments final : public Stage3 {
  public:
-  PrepareSegments() : Stage3("2b", "Split segments as feature sizes ask") {}
+  explicit PrepareSegments(SegmentSizes sizes)
+      : Stage3("2b", "Split segments as feature sizes ask"), wanted_(sizes) {}
 
   void begin(Workspace3& w) override {
     sizes_ = std::make_unique<FeatureSizeRun3>(w);
@@ -81,7 +76,11 @@ class PrepareSegments final : public Stage3 {
       const SubsegmentId s = waiting_.back();
       waiting_.pop_back();
       if (w.live.subsegment(s).alive) look_at(w, s);
-      if (waiting_.empty()) equalize(w);
+      if (!waiting_.empty()) continue;
+      equalize(w);
+      // A piece that was halved may be too short now for one beside it.
+      if (waiting_.empty() && wanted_.graded && changed_) queue_all(w);
+      changed_ = false;
     }
     return true;
   }
@@ -137,6 +136,7 @@ class PrepareSegments final : public Stage3 {
     const Subsegment u = w.live.subsegment(s);
     const auto halves = split_at(w, s, midpoint(point(w, u.a), point(w, u.b)), Reason::kMidpoint);
     if (!halves) return w.live.freeze(s);
+    changed_ = true;
     waiting_.push_back((*halves)[1]);
     waiting_.push_back((*halves)[0]);
   }
@@ -154,16 +154,28 @@ class PrepareSegments final : public Stage3 {
     if (u.frozen) return;
     const bool at_a = w.live.is_input_vertex(u.a), at_b = w.live.is_input_vertex(u.b);
     if (at_a && at_b) return halve(w, s);
-    if (at_a || at_b) return;
     const double size = length(w, s);
-    if (!(size < kClearance * clearance_->of(point(w, u.a), point(w, u.b), u.segment.value))) {
+    if (at_a || at_b) {
+      if (!wanted_.graded) return;
+      const VertexId q0 = at_a ? u.a : u.b, tip = at_a ? u.b : u.a;
+      bool is_alone = false;  // between two input vertices there is nothing but two end segments
+      for (const SubsegmentId other : w.live.subsegments_at(tip)) {
+        const Subsegment& r = w.live.subsegment(other);
+        is_alone |= other != s && w.live.is_input_vertex(r.a == tip ? r.b : r.a);
+      }
+      if (is_alone || !(size < wanted_.clearance * clearance_->of_vertex(q0.value))) halve(w, s);
+      return;
+    }
+    if (!(size <
+          wanted_.clearance * clearance_->of(point(w, u.a), point(w, u.b), u.segment.value))) {
       return halve(w, s);
     }
     for (const VertexId q : {u.a, u.b}) {
       for (const SubsegmentId other : w.live.subsegments_at(q)) {
         const Subsegment& r = w.live.subsegment(other);
         const bool end = w.live.is_input_vertex(r.a) || w.live.is_input_vertex(r.b);
-        if (other != s && end && is_longer(w, size, length(w, other))) return halve(w, s);
+        if (other == s || !(end || wanted_.graded)) continue;
+        if (is_longer(w, size, (end ? 1 : 2) * length(w, other))) return halve(w, s);
       }
     }
   }
@@ -195,6 +207,8 @@ class PrepareSegments final : public Stage3 {
     if (!waiting_.empty()) queue_all(w);
   }
 
+  SegmentSizes wanted_;
+  bool changed_ = false;  // since all pieces were queued
   std::unique_ptr<FeatureSizeRun3> sizes_;
   std::unique_ptr<SegmentClearance> clearance_;
   std::vector<SubsegmentId> waiting_;
@@ -211,7 +225,9 @@ class LabelCollars final : public Stage3 {
 
 }  // namespace
 
-std::unique_ptr<Stage3> prepare_segments() { return std::make_unique<PrepareSegments>(); }
+std::unique_ptr<Stage3> prepare_segments(SegmentSizes sizes) {
+  return std::make_unique<PrepareSegments>(sizes);
+}
 std::unique_ptr<Stage3> label_collars() { return std::make_unique<LabelCollars>(); }
 
 }  // namespace circumball
