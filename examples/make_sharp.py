@@ -1,9 +1,11 @@
-"""Writes small and sharp complexes of space: face-with-holes.json, plates.json, wedge.json, fan-of-faces.json,
-schoenhardt.json, and in bad/ four that are not valid, for tests and to see what is said about them.
+"""Writes small and sharp complexes of space: face-with-holes.json, plates.json, near-plates.json, wedge.json,
+fan-of-faces.json, book.json, schoenhardt.json, needles.json, spikes.json, segments-at-a-face.json, dangling.json, and
+in bad/ four that are not valid, for tests and to see what is said about them.
 
     python3 examples/make_sharp.py
 """
 
+import itertools
 import math
 
 from space import Complex, direction, square
@@ -33,6 +35,14 @@ def plates():
     c.write("plates.json")
 
 
+def near_plates():
+    """Two squares a thousandth apart."""
+    c = Complex()
+    c.face(c.add([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]))
+    c.face(c.add([(0.9, 0.8, 0.001), (1.9, 0.8, 0.001), (1.9, 1.8, 0.001), (0.9, 1.8, 0.001)]))
+    c.write("near-plates.json")
+
+
 def wedge():
     """A solid whose two large sides enclose 1 degree."""
     c = Complex()
@@ -56,6 +66,87 @@ def fan_of_faces():
         x, y = direction(angle)
         c.face([bottom, c.vertex(x, y, 0), c.vertex(x, y, 1), top])
     c.write("fan-of-faces.json")
+
+
+def book():
+    """Forty unit squares around one edge, 9 degrees apart."""
+    c = Complex()
+    bottom, top = c.vertex(0, 0, 0), c.vertex(0, 0, 1)
+    for page in range(40):
+        x, y = direction(9 * page)
+        c.face([bottom, c.vertex(x, y, 0), c.vertex(x, y, 1), top])
+    c.write("book.json")
+
+
+def tetrahedron(c, base, tip):
+    """The four faces of a tetrahedron; base counter-clockwise seen from the tip."""
+    c.face(base[::-1])
+    for i in range(3):
+        c.face([base[i], base[(i + 1) % 3], tip])
+
+
+def needles():
+    """Three tetrahedra, 5, 15 and 40 times as long as wide, that lie side by side."""
+    c = Complex()
+    for x, width in ((0, 0.2), (0.6, 0.0667), (1.0, 0.025)):
+        base = c.add([(x + width * a, width * b, 0) for a, b in (direction(90 + 120 * i) for i in range(3))])
+        tetrahedron(c, base, c.vertex(x, 0, 1))
+    c.write("needles.json")
+
+
+def spikes():
+    """A star: on each face of an octahedron a spike four and a half times as high as it is wide."""
+    c = Complex()
+    core = {}
+    for axis in range(3):
+        for sign in (1, -1):
+            core[axis, sign] = c.vertex(*(sign if k == axis else 0 for k in range(3)))
+    for signs in itertools.product((1, -1), repeat=3):
+        base = [core[axis, sign] for axis, sign in enumerate(signs)]
+        tip = c.vertex(*(4.0 * sign for sign in signs))
+        for i in range(3):
+            loop = [base[i], base[(i + 1) % 3], tip]
+            c.face(loop if math.prod(signs) > 0 else loop[::-1])
+    c.write("spikes.json")
+
+
+def segments_at_a_face():
+    """Segments that rise from vertices of a plate at 1, 3, 10, 30 and 60 degrees."""
+    c = Complex()
+    outer = c.add([(0, 0, 0), (6, 0, 0), (6, 2, 0), (0, 2, 0)])
+    feet = [c.vertex(1 + i, 0.5, 0) for i in range(5)]
+    c.face(outer, vertices=feet)
+    for foot, degrees in zip(feet, (1, 3, 10, 30, 60)):
+        along, up = direction(degrees)
+        x, y, _ = c.vertices[foot]
+        c.segment(foot, c.vertex(x, y + along, up))
+    c.write("segments-at-a-face.json")
+
+
+def dangling():
+    """A closed box with what a domain need not have: a fin inside and one outside of it, a segment that leaves it, a
+    segment and a vertex inside of a side, and a plate that floats within."""
+    c = Complex()
+    v = {p: c.vertex(*p) for p in itertools.product((0, 2), repeat=3)}
+    window = c.add([(0.4, 0, 0.4), (1.2, 0, 0.8)])
+    lonely = c.vertex(1.5, 0, 1.5)
+    root = c.vertex(0.5, 0, 1.4)
+    for axis in range(3):
+        for side in (0, 2):
+            corners = []
+            for a, b in ((0, 0), (2, 0), (2, 2), (0, 2)) if (axis == 1) != (side == 2) else ((0, 0), (0, 2), (2, 2), (2, 0)):
+                p = [a, b]
+                p.insert(axis, side)
+                corners.append(v[tuple(p)])
+            if axis == 1 and side == 0:
+                c.face(corners, segments=[window], vertices=[lonely, root])
+            else:
+                c.face(corners)
+    c.face([*window, c.vertex(1.2, 0.9, 0.6), c.vertex(0.4, 0.9, 0.2)])
+    c.face([*window, c.vertex(1.2, -0.5, 1.2), c.vertex(0.4, -0.5, 0.8)])
+    c.segment(root, c.vertex(0.5, -1, 1.6))
+    c.face(c.add([(0.5, 1.2, 1.2), (1.5, 1.2, 1.3), (1.5, 1.7, 1.5), (0.5, 1.7, 1.4)]))
+    c.write("dangling.json")
 
 
 def schoenhardt():
@@ -98,7 +189,13 @@ def bad():
 if __name__ == "__main__":
     face_with_holes()
     plates()
+    near_plates()
     wedge()
     fan_of_faces()
+    book()
+    needles()
+    spikes()
+    segments_at_a_face()
+    dangling()
     schoenhardt()
     bad()
