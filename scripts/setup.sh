@@ -7,7 +7,7 @@ set -eu
 
 build='cmake ninja-build emscripten nlohmann-json3-dev libcli11-dev libfmt-dev libeigen3-dev'
 test='g++ clang clang-format googletest libgtest-dev libboost-dev libcgal-dev chromium fonts-dejavu-core'
-bench='libbenchmark-dev'
+bench='libbenchmark-dev libtet1.5-dev'
 case "${1:-build}" in
   build) packages=$build ;;
   test) packages="$build $test" ;;
