@@ -100,25 +100,16 @@ VertexId Live3::add_vertex(const Point3& p, Feature feature) {
   return triangulation_.add_vertex(p);
 }
 
-Incidence3::Range Live3::faces_of(const Feature& feature) const {
+Incidence3::Range Live3::faces_of_lower(const Feature& feature) const {
   static constexpr std::uint32_t kNothing = 0;
   switch (feature.kind) {
     case FeatureKind::kVertex:
       return incidence_.faces_of_vertex(feature.index);
     case FeatureKind::kSegment:
       return incidence_.faces_of_segment(feature.index);
-    case FeatureKind::kFace: {
-      const std::uint32_t* self = face_numbers_.data() + feature.index;
-      return {self, self + 1};
-    }
     default:
       return {&kNothing, &kNothing};
   }
-}
-
-bool Live3::lies_in_face(VertexId v, std::uint32_t face) const {
-  const Incidence3::Range faces = faces_of(feature(v));
-  return std::binary_search(faces.begin(), faces.end(), face);
 }
 
 bool Live3::on_one_segment(VertexId a, VertexId b, VertexId c) const {
@@ -265,7 +256,11 @@ bool Live3::is_pocket(std::uint32_t face, const Delaunay2::Triangle& t) const {
 }
 
 VertexId Live3::local(VertexId v, std::uint32_t face) const {
-  const Incidence3::Range faces = faces_of(feature(v));
+  const Feature& f = feature(v);
+  if (f.kind == FeatureKind::kFace) {
+    return f.index == face ? locals_[local_first_[v.value]] : VertexId();
+  }
+  const Incidence3::Range faces = faces_of_lower(f);
   const auto at = std::lower_bound(faces.begin(), faces.end(), face);
   if (at == faces.end() || *at != face) return VertexId();
   return locals_[local_first_[v.value] + static_cast<std::size_t>(at - faces.begin())];

@@ -1,6 +1,7 @@
 #ifndef CIRCUMBALL_COMPLEX_LIVE3_H_
 #define CIRCUMBALL_COMPLEX_LIVE3_H_
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -87,8 +88,20 @@ class Live3 {
   /// Appends a vertex (not inserted) with the smallest feature that it lies on.
   VertexId add_vertex(const Point3& p, Feature feature);
   /// The faces that a vertex on this feature belongs to.
-  Incidence3::Range faces_of(const Feature& feature) const;
-  bool lies_in_face(VertexId v, std::uint32_t face) const;
+  Incidence3::Range faces_of(const Feature& feature) const {
+    if (feature.kind == FeatureKind::kFace) {  // most of them
+      const std::uint32_t* self = face_numbers_.data() + feature.index;
+      return {self, self + 1};
+    }
+    return faces_of_lower(feature);
+  }
+  bool lies_in_face(VertexId v, std::uint32_t face) const {
+    const Feature& f = feature(v);
+    if (f.kind == FeatureKind::kFace) return f.index == face;
+    if (f.kind == FeatureKind::kFree) return false;
+    const Incidence3::Range faces = faces_of_lower(f);
+    return std::binary_search(faces.begin(), faces.end(), face);
+  }
   /// Whether some input segment holds all three.
   bool on_one_segment(VertexId a, VertexId b, VertexId c) const;
   /// Whether two features are disjoint: in a valid complex exactly when they share no input vertex.
@@ -176,6 +189,7 @@ class Live3 {
 
  private:
   void link(SubsegmentId s);
+  Incidence3::Range faces_of_lower(const Feature& feature) const;
   void group_faces();
   bool is_in_polygon(std::uint32_t face, VertexId a, VertexId b, VertexId c) const;
 

@@ -88,8 +88,8 @@ TetrahedronShape tetrahedron_shape(const Point3& a, const Point3& b, const Point
   return shape;
 }
 
-TriangleBall triangle_ball(const Point3& a, const Point3& b, const Point3& c, const Point3& p) {
-  const Vector<double> u = minus(b, a), v = minus(c, a), q = minus(p, a);
+TriangleBall triangle_ball(const Point3& a, const Point3& b, const Point3& c) {
+  const Vector<double> u = minus(b, a), v = minus(c, a);
   const Vector<double> n = cross(u, v);
   const double uu = dot(u, u), vv = dot(v, v), nn = dot(n, n);
   // The center, relative to a: (|u|^2 v x n + |v|^2 n x u) / (2 |n|^2).
@@ -97,7 +97,7 @@ TriangleBall triangle_ball(const Point3& a, const Point3& b, const Point3& c, co
   const double t = 0.5 / nn;
   const Vector<double> o = {(uu * vn.x + vv * nu.x) * t, (uu * vn.y + vv * nu.y) * t,
                             (uu * vn.z + vv * nu.z) * t};
-  return {dot(q, q) - 2 * dot(q, o), dot(o, o)};
+  return {a, {o.x, o.y, o.z}, dot(o, o)};
 }
 
 }  // namespace circumball

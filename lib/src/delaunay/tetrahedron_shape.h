@@ -29,13 +29,20 @@ constexpr double kFlatVolume = 1e-9;
 TetrahedronShape tetrahedron_shape(const Point3& a, const Point3& b, const Point3& c,
                                    const Point3& d);
 
-/// How far p is in or out of the smallest ball with a, b, c on its boundary (centered in their
-/// plane): the power of p, and the squared radius. Relative to a; where abc is not too thin, the
-/// error of the power is a few ulp of |p - a|^2 + R^2.
+/// The smallest ball with the corners of a triangle on its boundary (centered in their plane).
 struct TriangleBall {
-  double power = 0, radius2 = 0;
+  Point3 corner;   ///< one of them
+  Point3 center;   ///< relative to it
+  double radius2;  ///< squared
+
+  /// How far p is in or out: its power. Where the triangle is not too thin, the error is a few ulp
+  /// of |p - corner|^2 + R^2.
+  double power(const Point3& p) const {
+    const double x = p.x - corner.x, y = p.y - corner.y, z = p.z - corner.z;
+    return x * x + y * y + z * z - 2 * (x * center.x + y * center.y + z * center.z);
+  }
 };
-TriangleBall triangle_ball(const Point3& a, const Point3& b, const Point3& c, const Point3& p);
+TriangleBall triangle_ball(const Point3& a, const Point3& b, const Point3& c);
 
 }  // namespace circumball
 

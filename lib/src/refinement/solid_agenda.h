@@ -199,6 +199,7 @@ class SolidAgenda {
   void ask_dead(const Live3& live, const SolidView& view, const Rules& rules, VertexId v, Ask ask) {
     died_segments_.clear();
     died_triangles_.clear();
+    view.begin_face_triangles();
     for (const Delaunay3::Cell& cell : live.triangulation().died()) {
       view.for_each_subsegment(cell.v, [&](SubsegmentId s) { died_segments_.push_back(s); });
       view.for_each_face_triangle(cell.v,

@@ -99,15 +99,15 @@ Verdict SolidView::encroached_by(SubsegmentId s, VertexId v) const {
 
 // --- triangles of faces
 
-bool SolidView::triangle_ball_holds(const FaceTriangle& t, const Point3& p) const {
+SolidView::Ball SolidView::ball(const FaceTriangle& t) const {
   const auto v = corners(t);
-  const TriangleBall ball = triangle_ball(dt_.point(v[0]), dt_.point(v[1]), dt_.point(v[2]), p);
-  return ball.power < (1 - kLengthSlack * kLengthSlack) * ball.radius2 -
-                          2 * live_.rounding() * std::sqrt(ball.radius2);
+  const TriangleBall b = triangle_ball(dt_.point(v[0]), dt_.point(v[1]), dt_.point(v[2]));
+  const double slack = 2 * live_.rounding() * std::sqrt(b.radius2);
+  return {b, (1 - kLengthSlack * kLengthSlack) * b.radius2 - slack};
 }
 
 Verdict SolidView::encroached_by(const FaceTriangle& t, VertexId v) const {
-  if (!live_.lies_in_face(v, t.face) && triangle_ball_holds(t, dt_.point(v))) {
+  if (!live_.lies_in_face(v, t.face) && ball(t).holds(dt_.point(v))) {
     return {Reason::kEncroached, v, 0};
   }
   const auto at = corners(t);
@@ -129,23 +129,28 @@ Verdict SolidView::encroachment(const FaceTriangle& t) const {
 /// If the ball of a facet holds a vertex, it holds the apex on that side. Where the cell there is
 /// flat, the vertex is beyond it, and in the balls of its other facets, which are nearly that of t.
 VertexId SolidView::encroacher_behind(const FaceTriangle& t, CellFacet f) const {
-  flat_.clear();
-  const auto look_at = [&](CellFacet facet) {
-    const VertexId p = dt_.apex(facet);
-    if (p == Delaunay3::kGhost) return VertexId();
-    if (!live_.lies_in_face(p, t.face) && triangle_ball_holds(t, dt_.point(p))) return p;
-    if (!live_.lies_in_group(p, live_.group_of_face(t.face))) return VertexId();
-    if (std::find(flat_.begin(), flat_.end(), facet / 4) == flat_.end()) flat_.push_back(facet / 4);
-    return VertexId();
+  const VertexId first = dt_.apex(f);
+  if (first == Delaunay3::kGhost) return VertexId();
+  const Ball ball_of_t = ball(t);
+  const std::uint32_t group = live_.group_of_face(t.face);
+  const auto encroaches = [&](VertexId p) {
+    return !live_.lies_in_face(p, t.face) && ball_of_t.holds(dt_.point(p));
   };
-  VertexId found = look_at(f);
-  for (std::size_t k = 0; k < flat_.size() && k < 64 && !found.valid(); ++k) {
-    for (std::uint32_t i = 0; i < 4 && !found.valid(); ++i) {
+  if (encroaches(first)) return first;
+  if (!live_.lies_in_group(first, group)) return VertexId();
+  flat_.assign(1, f / 4);
+  for (std::size_t k = 0; k < flat_.size() && k < 64; ++k) {
+    for (std::uint32_t i = 0; i < 4; ++i) {
       const CellFacet beyond = dt_.twin(4 * flat_[k] + i);
-      if (beyond / 4 != f / 4 && 4 * flat_[k] + i != f) found = look_at(beyond);
+      const CellSlot cell = beyond / 4;
+      const VertexId p = dt_.apex(beyond);
+      if (cell == f / 4 || 4 * flat_[k] + i == f || p == Delaunay3::kGhost) continue;
+      if (encroaches(p)) return p;
+      if (!live_.lies_in_group(p, group)) continue;
+      if (std::find(flat_.begin(), flat_.end(), cell) == flat_.end()) flat_.push_back(cell);
     }
   }
-  return found;
+  return VertexId();
 }
 
 Verdict SolidView::encroachment_of_missing(const FaceTriangle& t) const {
@@ -155,7 +160,7 @@ Verdict SolidView::encroachment_of_missing(const FaceTriangle& t) const {
     // The vertex nearest to the center is a neighbor that it would have.
     dt_.cavity_neighbors(&neighbors_);
     for (const VertexId p : neighbors_) {
-      if (!live_.lies_in_face(p, t.face) && triangle_ball_holds(t, dt_.point(p))) {
+      if (!live_.lies_in_face(p, t.face) && ball(t).holds(dt_.point(p))) {
         return {Reason::kEncroached, p, 0};
       }
     }
@@ -248,12 +253,13 @@ void SolidView::find_encroached_segments(const Point3& p) {
 }
 
 void SolidView::find_encroached_triangles(const Point3& p) {
+  begin_face_triangles();
   for (const CellSlot c : dt_.cavity()) {
     const Delaunay3::Cell cell = dt_.cell(c);
     for_each_face_triangle(cell.v, [&](const FaceTriangle& t) {
       const auto same = [&](const FaceTriangle& u) { return u.face == t.face && u.id == t.id; };
       if (std::any_of(triangles_.begin(), triangles_.end(), same)) return;
-      if (triangle_ball_holds(t, p) && is_in_face(t)) triangles_.push_back(t);
+      if (ball(t).holds(p) && is_in_face(t)) triangles_.push_back(t);
     });
   }
 }

@@ -1,6 +1,7 @@
 #ifndef CIRCUMBALL_REFINEMENT_SOLID_VIEW_H_
 #define CIRCUMBALL_REFINEMENT_SOLID_VIEW_H_
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -128,9 +129,11 @@ class SolidView : public View3 {
       }
     }
   }
+  /// Begins a round of for_each_face_triangle over cells.
+  void begin_face_triangles() const { corners_.clear(); }
   /// Calls f for each triangle of a face that is a facet of a cell with these vertices. Where a
   /// facet lies in a face, but is no triangle of it, for all triangles at its corners: some of them
-  /// are in its place. Some triangles come twice.
+  /// are in its place; for each corner once in a round. Some triangles come twice.
   template <class F>
   void for_each_face_triangle(const VertexId* v, F f) const {
     for (unsigned i = 0; i < 4; ++i) {
@@ -142,7 +145,12 @@ class SolidView : public View3 {
         if (t.face != kNone) {
           f(t);
         } else {
-          for (const VertexId corner : {a, b, c}) for_each_around(corner, face, f);
+          for (const VertexId corner : {a, b, c}) {
+            const std::uint64_t key = std::uint64_t{face} << 32 | corner.value;
+            if (std::find(corners_.begin(), corners_.end(), key) != corners_.end()) continue;
+            corners_.push_back(key);
+            for_each_around(corner, face, f);
+          }
         }
       }
     }
@@ -171,7 +179,13 @@ class SolidView : public View3 {
     if (u.is_collar_element()) return in_diametral_ball_of_chord(a, b, p, live_.rounding());
     return in_diametral_ball(a, b, p) == Sign::kPositive;
   }
-  bool triangle_ball_holds(const FaceTriangle& t, const Point3& p) const;
+  /// The smallest ball of a triangle of a face, with the slack of what rounding moved.
+  struct Ball {
+    TriangleBall ball;
+    double most = 0;  ///< the power of points in it is less
+    bool holds(const Point3& p) const { return ball.power(p) < most; }
+  };
+  Ball ball(const FaceTriangle& t) const;
   bool is_missing(SubsegmentId s) const;
   VertexId encroacher_behind(const FaceTriangle& t, CellFacet f) const;
   Verdict encroachment_of_missing(const FaceTriangle& t) const;
@@ -184,7 +198,8 @@ class SolidView : public View3 {
 
   std::vector<SubsegmentId> segments_;
   std::vector<FaceTriangle> triangles_;
-  mutable std::vector<CellSlot> flat_;  // scratch
+  mutable std::vector<CellSlot> flat_;          // scratch
+  mutable std::vector<std::uint64_t> corners_;  // of faces, that a round has been at
   // By face and slot of a triangle: its birth, and whether it lies in the face.
   struct Known {
     std::uint32_t birth = kNone;
