@@ -126,8 +126,30 @@ Verdict SolidView::encroachment(const FaceTriangle& t) const {
   return {};
 }
 
+struct SolidView::Box3 {
+  Point3 low, high;
+  void add(const Point3& p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  bool meets(const Box3& b, double slack) const {
+    return low.x <= b.high.x + slack && b.low.x <= high.x + slack && low.y <= b.high.y + slack &&
+           b.low.y <= high.y + slack && low.z <= b.high.z + slack && b.low.z <= high.z + slack;
+  }
+};
+
+SolidView::Box3 SolidView::box_of_facet(CellFacet f) const {
+  const Point3& p = dt_.point(dt_.facet_corner(f, 0));
+  Box3 box{p, p};
+  box.add(dt_.point(dt_.facet_corner(f, 1)));
+  box.add(dt_.point(dt_.facet_corner(f, 2)));
+  return box;
+}
+
 /// If the ball of a facet holds a vertex, it holds the apex on that side. Where the cell there is
 /// flat, the vertex is beyond it, and in the balls of its other facets, which are nearly that of t.
+/// The way from the centroid of t to the vertex leads through flat cells over the middle of t alone:
+/// over its triangle of midpoints, as they are thin beside the distance of features.
 VertexId SolidView::encroacher_behind(const FaceTriangle& t, CellFacet f) const {
   const VertexId first = dt_.apex(f);
   if (first == Delaunay3::kGhost) return VertexId();
@@ -138,6 +160,13 @@ VertexId SolidView::encroacher_behind(const FaceTriangle& t, CellFacet f) const 
   };
   if (encroaches(first)) return first;
   if (!live_.lies_in_group(first, group)) return VertexId();
+  const auto v = corners(t);
+  Box3 around;
+  for (unsigned i = 0; i < 3; ++i) {
+    const Point3 m = circumball::midpoint(dt_.point(v[i]), dt_.point(v[(i + 1) % 3]));
+    if (i == 0) around = {m, m};
+    around.add(m);
+  }
   flat_.assign(1, f / 4);
   for (std::size_t k = 0; k < flat_.size() && k < 64; ++k) {
     for (std::uint32_t i = 0; i < 4; ++i) {
@@ -147,7 +176,8 @@ VertexId SolidView::encroacher_behind(const FaceTriangle& t, CellFacet f) const 
       if (cell == f / 4 || 4 * flat_[k] + i == f || p == Delaunay3::kGhost) continue;
       if (encroaches(p)) return p;
       if (!live_.lies_in_group(p, group)) continue;
-      if (std::find(flat_.begin(), flat_.end(), cell) == flat_.end()) flat_.push_back(cell);
+      if (std::find(flat_.begin(), flat_.end(), cell) != flat_.end()) continue;
+      if (around.meets(box_of_facet(beyond), 2 * live_.rounding())) flat_.push_back(cell);
     }
   }
   return VertexId();

@@ -187,6 +187,8 @@ class SolidView : public View3 {
   };
   Ball ball(const FaceTriangle& t) const;
   bool is_missing(SubsegmentId s) const;
+  struct Box3;
+  Box3 box_of_facet(CellFacet f) const;
   VertexId encroacher_behind(const FaceTriangle& t, CellFacet f) const;
   Verdict encroachment_of_missing(const FaceTriangle& t) const;
   VertexId crosser_in_cavity(const FaceTriangle& t) const;
