@@ -188,8 +188,8 @@ double extent(const Complex& c) {
 int main(int argc, char** argv) {
   const double most = argc > 1 ? std::atof(argv[1]) : 1e6;
   const int repeats = argc > 2 ? std::max(1, std::atoi(argv[2])) : 3;
-  std::printf("%-21s %8s %8s %8s %9s %9s %7s %9s %7s\n", "", "vertices", "cells", "TetGen's",
-              "k/s", "TetGen's", "ratio", "no flips", "ratio");
+  std::printf("%-21s %8s %8s %8s %9s %9s %7s %9s %7s\n", "", "vertices", "cells", "TetGen's", "k/s",
+              "TetGen's", "ratio", "no flips", "ratio");
   for (const Solid& solid : solids()) {
     double size = extent(solid.complex) / 10;
     for (double cells = 1e4; cells <= 1.01 * most; cells *= 10) {

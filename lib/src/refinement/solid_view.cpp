@@ -146,10 +146,37 @@ SolidView::Box3 SolidView::box_of_facet(CellFacet f) const {
   return box;
 }
 
+/// Whether no vertex is beyond the facet f, which lies in the face: all input vertices that do not
+/// belong to the group of the face are on its other side, by far more than rounding. Vertices that
+/// refinement inserts are in the convex hull of the input.
+bool SolidView::is_hull_side(std::uint32_t face, CellFacet f) const {
+  if (hull_sides_.empty()) hull_sides_.assign(live_.face_count(), HullSide::kUnknown);
+  const FacePlane& plane = live_.face(face).plane();
+  HullSide& side = hull_sides_[face];
+  if (side == HullSide::kUnknown) {
+    const double margin = 1000 * live_.rounding();
+    bool above = false, below = false;
+    const auto& vertices = live_.complex().vertices;
+    for (std::uint32_t v = 0; v < vertices.size() && !(above && below); ++v) {
+      if (live_.lies_in_group(VertexId(v), live_.group_of_face(face))) continue;
+      const double height = plane.height(vertices[v]);
+      above = above || height > -margin;
+      below = below || height < margin;
+    }
+    side = above && below ? HullSide::kNone : above ? HullSide::kBelow : HullSide::kAbove;
+  }
+  if (side == HullSide::kNone) return false;
+  const Point3 &a = dt_.point(dt_.facet_corner(f, 0)), &b = dt_.point(dt_.facet_corner(f, 1)),
+               &c = dt_.point(dt_.facet_corner(f, 2));
+  const Point2 p = plane.to_plane(a), q = plane.to_plane(b), r = plane.to_plane(c);
+  const double area = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+  return side == HullSide::kAbove ? area > 0 : area < 0;  // the apex is above where it is positive
+}
+
 /// If the ball of a facet holds a vertex, it holds the apex on that side. Where the cell there is
 /// flat, the vertex is beyond it, and in the balls of its other facets, which are nearly that of t.
-/// The way from the centroid of t to the vertex leads through flat cells over the middle of t alone:
-/// over its triangle of midpoints, as they are thin beside the distance of features.
+/// The way from the centroid of t to the vertex leads through flat cells over the middle of t
+/// alone: over its triangle of midpoints, as they are thin beside the distance of features.
 VertexId SolidView::encroacher_behind(const FaceTriangle& t, CellFacet f) const {
   const VertexId first = dt_.apex(f);
   if (first == Delaunay3::kGhost) return VertexId();
@@ -159,7 +186,7 @@ VertexId SolidView::encroacher_behind(const FaceTriangle& t, CellFacet f) const 
     return !live_.lies_in_face(p, t.face) && ball_of_t.holds(dt_.point(p));
   };
   if (encroaches(first)) return first;
-  if (!live_.lies_in_group(first, group)) return VertexId();
+  if (!live_.lies_in_group(first, group) || is_hull_side(t.face, f)) return VertexId();
   const auto v = corners(t);
   Box3 around;
   for (unsigned i = 0; i < 3; ++i) {

@@ -189,6 +189,7 @@ class SolidView : public View3 {
   bool is_missing(SubsegmentId s) const;
   struct Box3;
   Box3 box_of_facet(CellFacet f) const;
+  bool is_hull_side(std::uint32_t face, CellFacet f) const;
   VertexId encroacher_behind(const FaceTriangle& t, CellFacet f) const;
   Verdict encroachment_of_missing(const FaceTriangle& t) const;
   VertexId crosser_in_cavity(const FaceTriangle& t) const;
@@ -208,6 +209,9 @@ class SolidView : public View3 {
     bool inside = false;
   };
   mutable std::vector<std::vector<Known>> known_;
+  // By face: the side of its plane on which nothing is.
+  enum class HullSide : std::uint8_t { kUnknown, kNone, kAbove, kBelow };
+  mutable std::vector<HullSide> hull_sides_;
 };
 
 inline Proposal3 yield3(const Point3& at) { return {ProposalKind::kYield, Reason::kYieldedTo, at}; }
