@@ -8,6 +8,7 @@
 #include "circumball/io.h"
 #include "circumball/report.h"
 #include "circumball/verify.h"
+#include "support/acute.h"
 #include "support/solids3.h"
 
 namespace circumball {
@@ -42,13 +43,32 @@ void expect_kept_promises(const Run& run, const std::string& what) {
   }
 }
 
+/// Books, fans, spikes, plates and more, at angles from 3 degrees; by all settings in turn.
 TEST(CollarInSpace, EndsConformsAndKeepsTheorem611OnRandomAcuteComplexes) {
-  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+  for (std::uint64_t seed = 1; seed <= testing::cases(40); ++seed) {
     Options options = collar();
     options.domain = Domain::kBox;
-    const auto run = finish(random_complex3(seed, seed % 3 ? 20 : 8, 2), options);
+    options.parameters["protect"] = seed % 4 ? "acute" : "all";
+    const double least[] = {3, 8, 15, 30};
+    const auto run = finish(random_complex3(seed, least[seed % 4], 2), options);
     ASSERT_TRUE(run) << seed;
     expect_kept_promises(*run, "seed " + std::to_string(seed));
+  }
+}
+
+TEST(CollarInSpace, IsRuppertsAlgorithmWhereNothingIsAcute) {
+  Random random(7);
+  for (const testing::Solid& solid : testing::solids()) {
+    const Rotation turn(&random);
+    testing::SolidBuilder builder({1, &turn, {0, 0, 0}});
+    solid.build(&builder);
+    Options options = collar();
+    options.tau = 2.2;
+    const auto protected_run = finish(builder.complex(), options);
+    options.algorithm = "ruppert";
+    const auto run = finish(builder.complex(), options);
+    ASSERT_TRUE(run && protected_run) << solid.name;
+    EXPECT_EQ(fingerprint(run->mesh()), fingerprint(protected_run->mesh())) << solid.name;
   }
 }
 
@@ -62,8 +82,11 @@ TEST(CollarInSpace, MeshesThePyramidAndSchoenhardtsPrism) {
 }
 
 /// The pyramid after steps 2b and 2c: as many vertices as an independent implementation has.
-TEST(CollarInSpace, DrawsTheCollarsOfThePyramid) {
-  const auto run = finish(example("pyramid.json"), collar());
+TEST(CollarInSpace, DrawsTheCollarsOfThePyramidBySizesOfAlgorithm41) {
+  Options options = collar();
+  options.parameters["protect"] = "all";
+  options.parameters["sizes"] = "estimate";
+  const auto run = finish(example("pyramid.json"), options);
   ASSERT_TRUE(run);
   ASSERT_GE(run->steps().size(), 3u);
   EXPECT_EQ(run->steps()[1].vertices, 271u);
@@ -109,7 +132,8 @@ TEST(CollarInSpace, IsTheSameWithATraceThatReplaysToItsMesh) {
 
 TEST(CollarInSpace, StopsAtALimitWithWhatItHas) {
   Options options = collar();
-  for (const std::uint64_t limit : {20, 200, 600, 900}) {
+  options.parameters["protect"] = "all";
+  for (const std::uint64_t limit : {20, 50, 100, 130}) {
     options.limits.max_vertices = limit;
     const auto run = finish(example("pyramid.json"), options);
     ASSERT_TRUE(run);

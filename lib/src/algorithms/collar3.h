@@ -10,7 +10,7 @@ namespace circumball {
 /// to the collars.
 struct CollarElements3 : Conform3 {
   /// Unacceptability: a collar segment or collar arc is unacceptable if its diametral ball is not
-  /// empty. Subsegments of input segments are never split.
+  /// empty.
   Verdict unacceptable(const SolidView& view, SubsegmentId s) const {
     return view.subsegment(s).is_collar_element() ? view.encroachment(s) : Verdict{};
   }
@@ -29,10 +29,19 @@ struct CollarElements3 : Conform3 {
   }
 };
 
-/// The part about collars and faces: after it, the tetrahedralization conforms.
+/// The part about collars, segments and faces: after it, the tetrahedralization conforms. Where
+/// nothing is protected, it is that of Ruppert's algorithm.
 struct CollarFaces3 : CollarElements3 {
   using CollarElements3::encroached_by;
   using CollarElements3::unacceptable;
+  /// Unacceptability: a subsegment is unacceptable if its diametral ball is not empty, but for
+  /// collar simplices: protected ones.
+  Verdict unacceptable(const SolidView& view, SubsegmentId s) const {
+    return view.subsegment(s).is_collar ? Verdict{} : view.encroachment(s);
+  }
+  Verdict encroached_by(const SolidView& view, SubsegmentId s, VertexId v) const {
+    return view.subsegment(s).is_collar ? Verdict{} : view.encroached_by(s, v);
+  }
   /// Unacceptability: a triangle of a face is unacceptable if its circumball is not empty.
   Verdict unacceptable(const SolidView& view, const FaceTriangle& t) const {
     return Conform3().unacceptable(view, t);

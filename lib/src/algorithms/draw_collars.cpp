@@ -10,22 +10,28 @@
 namespace circumball {
 namespace {
 
-/// Heights of collar vertices, in lengths of subsegments. The thesis has 1/2, at which midpoints of
-/// split collar segments fall on the diametral spheres of subsegments.
-constexpr double kHeight = 0.6;
-
 Point2 minus(const Point2& a, const Point2& b) { return {a.x - b.x, a.y - b.y}; }
 Point2 plus(const Point2& a, double s, const Point2& d) { return {a.x + s * d.x, a.y + s * d.y}; }
 double cross(const Point2& a, const Point2& b) { return a.x * b.y - a.y * b.x; }
 double dot(const Point2& a, const Point2& b) { return a.x * b.x + a.y * b.y; }
+Point2 unit(const Point2& a) {
+  const double length = std::sqrt(dot(a, a));
+  return {a.x / length, a.y / length};
+}
 
 class DrawCollars final : public Stage3 {
  public:
-  DrawCollars() : Stage3("2c", "Draw collars in the faces") {}
+  explicit DrawCollars(double height)
+      : Stage3("2c", "Draw collars in the faces"), height_(height) {}
 
-  void begin(Workspace3& w) override { w.live.track_collars(); }
+  void begin(Workspace3& w) override {
+    if (!w.live.protects_anything()) return;
+    w.live.track_collars();
+    clearance_.emplace(w.live.complex(), w.live.incidence());
+  }
 
   bool advance(Workspace3& w, Budget& budget) override {
+    if (!w.live.protects_anything()) return true;
     for (; face_ < w.live.face_count(); ++face_) {
       if (!budget.spend() || !w.within_limits()) return false;
       ++w.iterations;
@@ -35,7 +41,8 @@ class DrawCollars final : public Stage3 {
   }
 
  private:
-  /// A rule-2 vertex: on the circle about an input vertex, on one side of an end segment.
+  /// A vertex on the circle about an input vertex, on one side of an end segment: that of rule 2,
+  /// or where the segment is not protected, its tip.
   struct OnCircle {
     VertexId center;
     Point2 along;  // direction of the end segment, from the center
@@ -64,15 +71,20 @@ class DrawCollars final : public Stage3 {
     const FacePlane& plane = live.face(f).plane();
     on_circles_.clear();
     for (const std::uint32_t k : segments_of(live, f)) {
-      const std::vector<VertexId> v = chain(live, k);
-      if (v.size() < 4) continue;
-      std::vector<Point2> at;
-      for (const VertexId q : v) at.push_back(plane.to_plane(live.triangulation().point(q)));
-      const Point2 whole = minus(at.back(), at.front());
-      const double length = std::sqrt(dot(whole, whole));
-      const Point2 t{whole.x / length, whole.y / length};
-      for (const double side : {1.0, -1.0}) draw_beside(w, f, v, at, t, side);
+      const auto& ends = live.complex().segments[k];
+      if (live.is_protected(SegmentId(k))) {
+        const std::vector<VertexId> v = chain(live, k);
+        if (v.size() < 4) continue;
+        std::vector<Point2> at;
+        for (const VertexId q : v) at.push_back(plane.to_plane(live.triangulation().point(q)));
+        const Point2 t = unit(minus(at.back(), at.front()));
+        for (const double side : {1.0, -1.0}) draw_beside(w, f, v, at, t, side);
+      } else {
+        for (const std::uint32_t end : ends) find_tip(live, f, k, VertexId(end));
+      }
     }
+    std::stable_sort(on_circles_.begin(), on_circles_.end(),
+                     [](const OnCircle& c, const OnCircle& d) { return c.center < d.center; });
     draw_circles(w, f);
   }
 
@@ -88,6 +100,28 @@ class DrawCollars final : public Stage3 {
     return list;
   }
 
+  /// The tip of a segment that is not protected, at a vertex that is: on the sides of it that are
+  /// in the face.
+  void find_tip(const Live3& live, std::uint32_t f, std::uint32_t segment, VertexId q0) {
+    if (!live.is_protected(q0)) return;
+    for (const SubsegmentId s : live.subsegments_at(q0)) {
+      const Subsegment& u = live.subsegment(s);
+      if (u.segment.value != segment || u.is_collar_element()) continue;
+      const FacePlane& plane = live.face(f).plane();
+      const VertexId tip = u.a == q0 ? u.b : u.a;
+      if (live.is_input_vertex(tip)) return;  // rounding left no place for a tip
+      const Point3 middle =
+          midpoint(live.triangulation().point(q0), live.triangulation().point(tip));
+      const double beside = 0.45 * clearance_->of(middle, middle, segment);
+      const Point2 at = plane.to_plane(middle);
+      const Point2 t = unit(minus(at, plane.to_plane(live.triangulation().point(q0))));
+      for (const double side : {1.0, -1.0}) {
+        if (!plane.contains(plus(at, beside * side, {-t.y, t.x}))) continue;
+        on_circles_.push_back({q0, t, side, tip});
+      }
+    }
+  }
+
   /// Rules 1 and 2, on one side of a segment, and the collar segments between.
   void draw_beside(Workspace3& w, std::uint32_t f, const std::vector<VertexId>& v,
                    const std::vector<Point2>& at, const Point2& t, double side) {
@@ -101,11 +135,11 @@ class DrawCollars final : public Stage3 {
     for (std::size_t i = 1; i < last; ++i) {
       if (i == 1 || i == last - 1) {
         const double d = i == 1 ? size(0) : size(last - 1);
-        const double h = kHeight * (i == 1 ? size(1) : size(last - 2));
+        const double h = height_ * (i == 1 ? size(1) : size(last - 2));
         const double x = std::sqrt(std::max(d * d - h * h, 0.0));
         places.push_back(plus(plus(i == 1 ? at[0] : at[last], i == 1 ? x : -x, t), h, n));
       } else {
-        places.push_back(plus(at[i], kHeight * std::max(size(i - 1), size(i)), n));
+        places.push_back(plus(at[i], height_ * std::max(size(i - 1), size(i)), n));
       }
     }
     const FacePlane& plane = w.live.face(f).plane();
@@ -141,12 +175,16 @@ class DrawCollars final : public Stage3 {
   /// Rule 3: arcs about input vertices, none longer than a quarter turn.
   void draw_circles(Workspace3& w, std::uint32_t f) {
     const FacePlane& plane = w.live.face(f).plane();
+    const OnCircle* next = on_circles_.data();
+    const OnCircle* const end = next + on_circles_.size();
     for (const std::uint32_t v : w.live.incidence().vertices_of_face(f)) {
       const VertexId q0(v);
+      if (!w.live.is_protected(q0)) continue;
       const Point2 center = plane.to_plane(w.live.triangulation().point(q0));
       std::vector<OnCircle> left, right;
-      for (const OnCircle& c : on_circles_) {
-        if (c.center == q0 && c.vertex.valid()) (c.side > 0 ? left : right).push_back(c);
+      while (next != end && next->center < q0) ++next;
+      for (; next != end && next->center == q0; ++next) {
+        if (next->vertex.valid()) (next->side > 0 ? left : right).push_back(*next);
       }
       // From the left side of each end segment to the right side of the next one,
       // counter-clockwise.
@@ -176,19 +214,20 @@ class DrawCollars final : public Stage3 {
 
   void draw_arc(Workspace3& w, std::uint32_t f, VertexId q0, const Point2& center, VertexId from,
                 VertexId to) {
-    if (from == to) return;
     const FacePlane& plane = w.live.face(f).plane();
     const Point2 a = minus(plane.to_plane(w.live.triangulation().point(from)), center);
     const Point2 b = minus(plane.to_plane(w.live.triangulation().point(to)), center);
     const double radius = std::sqrt(dot(a, a));
-    if (cross(a, b) > 0 && dot(a, b) > -1e-9 * radius * radius) {
+    if (from != to && cross(a, b) > 0 && dot(a, b) > -1e-9 * radius * radius) {
       return create(w, from, to, f, q0);
     }
     // Halved: along the mean of the ends, or opposite to it where they are more than half a turn
-    // apart.
+    // apart; a whole turn from a tip to itself, opposite to this.
     Point2 mean{a.x + b.x, a.y + b.y};
     const double size = std::sqrt(dot(mean, mean));
-    if (size < 1e-6 * radius) {
+    if (from == to) {
+      mean = {-a.x, -a.y};
+    } else if (size < 1e-6 * radius) {
       mean = {-a.y, a.x};
     } else if (cross(a, b) < 0) {
       mean = {-mean.x, -mean.y};
@@ -202,16 +241,7 @@ class DrawCollars final : public Stage3 {
 
   /// About a vertex inside of the face, where something else meets it: a segment, another face.
   void draw_circle(Workspace3& w, std::uint32_t f, VertexId q0, const Point2& center) {
-    const auto& ends = w.live.subsegments_at(q0);
-    double radius = 0;
-    if (!ends.empty()) {
-      const Subsegment& u = w.live.subsegment(ends[0]);
-      radius = distance(w.live.triangulation().point(u.a), w.live.triangulation().point(u.b));
-    } else if (w.live.is_protected(q0)) {
-      if (!clearance_) clearance_.emplace(w.live.complex(), w.live.incidence());
-      radius = 0.45 * clearance_->of_vertex(q0.value);
-    }
-    if (radius == 0) return;
+    const double radius = w.live.protection_radius(q0);
     VertexId first, before, near = q0;
     for (const Point2& d : {Point2{1, 0}, Point2{0, 1}, Point2{-1, 0}, Point2{0, -1}}) {
       const VertexId p = insert(w, f, plus(center, radius, d), near, Reason::kCircle);
@@ -223,6 +253,7 @@ class DrawCollars final : public Stage3 {
     create(w, before, first, f, q0);
   }
 
+  const double height_;
   std::uint32_t face_ = 0;
   std::vector<OnCircle> on_circles_;
   std::optional<SegmentClearance> clearance_;
@@ -230,6 +261,8 @@ class DrawCollars final : public Stage3 {
 
 }  // namespace
 
-std::unique_ptr<Stage3> draw_collars() { return std::make_unique<DrawCollars>(); }
+std::unique_ptr<Stage3> draw_collars(double height) {
+  return std::make_unique<DrawCollars>(height);
+}
 
 }  // namespace circumball

@@ -32,11 +32,16 @@ std::vector<std::unique_ptr<Stage3>> plan_in_space(const Settings& settings) {
     steps.push_back(split_into_parts(step2a(settings)));
     steps.push_back(loop("2b", "Estimate the local feature size on all segments", FeatureSize2b{}));
   } else if (settings.algorithm == "collar") {
-    steps.push_back(prepare_segments());
-    steps.push_back(draw_collars());
+    SegmentSizes sizes;
+    sizes.all = settings.protect_all;
+    sizes.estimate = settings.estimate_sizes;
+    sizes.clearance = settings.size_factor;
+    steps.push_back(prepare_segments(sizes));
+    steps.push_back(draw_collars(settings.height));
     steps.push_back(loop("3a", "Split encroached collar segments and arcs", CollarElements3{}));
     steps.push_back(label_collars());
-    steps.push_back(loop("3c", "Split encroached triangles beyond the collars", CollarFaces3{}));
+    steps.push_back(
+        loop("3c", "Split encroached segments and triangles beyond the collars", CollarFaces3{}));
     steps.push_back(classify_cells("3d"));
     Collar3 rules;
     rules.quality.tau = settings.tau;

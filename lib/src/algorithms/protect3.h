@@ -8,25 +8,27 @@
 /// What comes before step 3 of the refinement with collar in space (thesis 6.2.1).
 namespace circumball {
 
-/// How short subsegments are to be, beyond what Algorithm 4.1 makes of them.
+/// What is protected, and how short its pieces are to be.
 struct SegmentSizes {
-  /// (H2): a subsegment that is no end segment is shorter than this part of its distance from what
-  /// it does not belong to. The thesis has c < 1, and 0.9 would do elsewhere; but rule 2 puts a
-  /// vertex at height eta |s'| on the circle about q0, for both of two segments at q0, and eta c <
-  /// 1/2 keeps their arcs apart at any angle.
+  bool all = true;        ///< every vertex and segment, or only those of acute angles
+  bool estimate = false;  ///< by Algorithm 4.1, or by distances to features
+  /// The c of (H2). The thesis has c < 1, and 0.9 would do elsewhere; but rule 2 puts a vertex at
+  /// height eta |s'| on the circle about q0, for both of two segments at q0, and eta c < 1/2 keeps
+  /// their arcs apart at any angle.
   double clearance = 0.8;
-  /// For intestines: end segments are shorter than the same part of the distance of their input
-  /// vertex, so that spheres keep apart; no subsegment is more than twice as long as one beside it;
-  /// and each input segment has at least three.
+  /// For intestines: no piece is more than twice as long as one beside it.
   bool graded = false;
 };
 
-/// Splits segments until (H1) to (H3) hold: by the vertices on segments of a run of Algorithm 4.1,
-/// once more each, and then where adjacent end segments differ or others are near.
+/// Splits protected segments until (H1) to (H3) hold, each into three pieces at least; of other
+/// segments only the tips at protected vertices are made. Two spheres about ends of a segment, of
+/// the radii of Live3::protection_radius, are at least c / (2 + c) of it apart.
 std::unique_ptr<Stage3> prepare_segments(SegmentSizes sizes = SegmentSizes());
 
-/// Step 2c: collar vertices, collar segments and collar arcs.
-std::unique_ptr<Stage3> draw_collars();
+/// Step 2c: collar vertices, `height` times as high as subsegments are long, collar segments and
+/// collar arcs. The thesis has the height 1/2, at which midpoints of split collar segments fall on
+/// the diametral spheres of subsegments.
+std::unique_ptr<Stage3> draw_collars(double height);
 
 /// After all collar elements are edges: which triangles of faces belong to the collars.
 std::unique_ptr<Stage3> label_collars();

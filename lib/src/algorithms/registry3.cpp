@@ -114,6 +114,18 @@ std::vector<AlgorithmInfo> algorithms_in_space() {
       "faces "
       "between them and the collar segments and arcs.";
   collar.parameters[0].default_value = "2.3";
+  collar.parameters.push_back({"protect", "acute", "acute|all", "",
+                               "which vertices and segments are protected: those at which others "
+                               "meet them at less than 90 degrees, or all"});
+  collar.parameters.push_back({"sizes", "exact", "exact|estimate", "",
+                               "how protected segments are sized: by their distances from other "
+                               "features, or by Algorithm 4.1"});
+  collar.parameters.push_back({"size-factor", "0.8", "0.05", "0.95",
+                               "the c of (H2): pieces of protected segments are shorter than this "
+                               "part of their feature sizes"});
+  collar.parameters.push_back({"height", "0.6", "0.51", "0.75",
+                               "of collars, in lengths of the pieces of segments; times "
+                               "`size-factor` below 1/2"});
   collar.guarantee =
       "For every complex and $\\tau > 2$ it ends, every segment is a union of edges and every face "
       "a "

@@ -112,6 +112,13 @@ std::string settle(const Complex& complex, Options* options, Settings* settings)
   settings->size = number("size");
   if (values.count("protection")) settings->protection = number("protection");
   settings->off_centers = values.count("steiner") && values["steiner"] == "off-center";
+  settings->estimate_sizes = values.count("sizes") && values["sizes"] == "estimate";
+  if (values.count("size-factor")) settings->size_factor = number("size-factor");
+  if (values.count("height")) settings->height = number("height");
+  if (!(settings->size_factor * settings->height < 0.5)) {
+    return "'height' times 'size-factor' must be below 1/2: collars of segments at a vertex would "
+           "cross";
+  }
   settings->protect_all = values.count("protect") && values["protect"] == "all";
   if (options->tau && !(*options->tau >= 0.6 && *options->tau <= 1000)) {
     return "tau must be between 0.6 and 1000";

@@ -18,8 +18,11 @@ struct Settings {
   std::shared_ptr<const Sizing> sizing;  ///< the same, where it is not a number
   double protection = 0.45;              ///< distance of the collar, in N(q0)
   double box_scale = 3;
-  bool off_centers = false;  ///< where triangles are split: off-centers instead of circumcenters
-  bool protect_all = false;  ///< at every input vertex, not only at those of acute angles
+  bool off_centers = false;     ///< where triangles are split: off-centers instead of circumcenters
+  bool protect_all = false;     ///< at every input vertex, not only at those of acute angles
+  bool estimate_sizes = false;  ///< in space: by Algorithm 4.1
+  double size_factor = 0.8;     ///< in space: the c of (H2)
+  double height = 0.6;          ///< in space: of collars
   std::string step2a = "fourths";  ///< in space: fourths | halves | adaptive
 };
 

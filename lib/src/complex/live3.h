@@ -127,9 +127,19 @@ class Live3 {
   bool tracks_collars() const { return tracks_collars_; }
   /// Makes a collar segment between two vertices of a face, or a collar arc about `center`.
   SubsegmentId create_collar_element(VertexId a, VertexId b, std::uint32_t face, VertexId center);
-  /// Whether an input vertex is one that circles are about, in the faces that it belongs to: not,
-  /// if there is but one such face and no segment.
-  bool is_protected(VertexId q0) const;
+  /// From now on these input vertices (those with a radius above 0) and input segments are
+  /// protected: subsegments of these, and at these, are never split.
+  void protect(std::vector<double> radii, const std::vector<bool>& segments);
+  /// The length of the end segments at an input vertex, and radius of the circles about it, in the
+  /// faces that it belongs to; 0 if it is not protected.
+  double protection_radius(VertexId q0) const {
+    return q0.value < protection_radii_.size() ? protection_radii_[q0.value] : 0;
+  }
+  bool is_protected(VertexId q0) const { return protection_radius(q0) > 0; }
+  bool is_protected(SegmentId s) const {
+    return s.value < protected_segments_.size() && protected_segments_[s.value];
+  }
+  bool protects_anything() const { return !protection_radii_.empty(); }
   /// Tags its edges, where there are some.
   void tag_edges(SubsegmentId s);
   /// Whether t lies between the collars and the segments of its face. Finds a lost label again.
@@ -208,6 +218,8 @@ class Live3 {
   std::vector<std::uint32_t> groups_;  // by face: the first face of its group
   // By face and slot, the birth of the triangle that is frozen.
   std::vector<std::vector<std::uint32_t>> frozen_triangles_;
+  std::vector<double> protection_radii_;  // by input vertex
+  std::vector<bool> protected_segments_;  // by input segment
   bool tracks_collars_ = false;
   std::vector<TriangleId> stack_;  // scratch
   bool classified_ = false;

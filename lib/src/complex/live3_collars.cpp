@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "complex/live3.h"
 
@@ -40,8 +41,13 @@ void Live3::tag_edges(SubsegmentId s) {
   for (const std::uint32_t f : incidence_.faces_of_segment(u.segment.value)) tag(f);
 }
 
-bool Live3::is_protected(VertexId q0) const {
-  return !incident_[q0.value].empty() || faces_of(feature(q0)).size() > 1;
+void Live3::protect(std::vector<double> radii, const std::vector<bool>& segments) {
+  protection_radii_ = std::move(radii);
+  protected_segments_ = segments;
+  for (Subsegment& u : subsegments_) {
+    if (!u.alive || u.is_collar_element()) continue;
+    u.is_collar = is_protected(u.segment) || is_protected(u.a) || is_protected(u.b);
+  }
 }
 
 void Live3::label_collars() {
@@ -62,8 +68,8 @@ void Live3::label_collars() {
       for (std::uint32_t i = 0; i < 3; ++i) {
         const std::uint32_t tag = dt.tag(4 * t + i);
         const Feature& at = feature(face.global(v[i]));
-        // On a segment, or at an input vertex that a circle is about.
-        if (tag != kNone && !subsegments_[tag].is_collar_element()) seed(t);
+        // On a protected segment, or at an input vertex that a circle is about.
+        if (tag != kNone && subsegments_[tag].is_collar) seed(t);
         if (at.kind == FeatureKind::kVertex && is_protected(face.global(v[i]))) seed(t);
       }
     }

@@ -14,7 +14,7 @@ struct Subsegment {
   SegmentId segment;  ///< the input segment (of the complex with its box) that it lies on
   bool alive = true;
   bool frozen = false;     ///< it was refused for good: nothing yields to it any more
-  bool is_collar = false;  ///< a collar simplex (thesis, 5.2.1): never split
+  bool is_collar = false;  ///< a collar simplex (thesis, 5.2.1, 6.2.1): never split
   /// Valid for an arc of the circle that protects this input vertex (thesis, 5.3.1); its edge is
   /// the chord. An arc lies on no input segment, and is no boundary of the domain.
   VertexId center = {};

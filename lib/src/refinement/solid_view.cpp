@@ -32,7 +32,7 @@ void SolidView::propose_collar_elements(const FaceTriangle& t) {
   triangles_.clear();
   const FaceRefinement& face = live_.face(t.face);
   const Delaunay2& dt = face.triangulation();
-  const double least2 = squared_circumradius(t) / 16;
+  const double least2 = squared_circumradius(t) / (1024.0 * 1024.0);
   const auto find_at = [&](TriangleId u) {
     if (dt.is_ghost(u)) return;
     const auto& v = dt.triangle(u).v;
@@ -50,10 +50,9 @@ void SolidView::propose_collar_elements(const FaceTriangle& t) {
 
 bool SolidView::leave_out_protected() {
   const std::size_t before = segments_.size() + triangles_.size();
-  segments_.erase(
-      std::remove_if(segments_.begin(), segments_.end(),
-                     [&](SubsegmentId s) { return !live_.subsegment(s).is_collar_element(); }),
-      segments_.end());
+  segments_.erase(std::remove_if(segments_.begin(), segments_.end(),
+                                 [&](SubsegmentId s) { return live_.subsegment(s).is_collar; }),
+                  segments_.end());
   triangles_.erase(std::remove_if(triangles_.begin(), triangles_.end(),
                                   [&](const FaceTriangle& t) { return is_in_collar(t); }),
                    triangles_.end());

@@ -91,8 +91,8 @@ class SolidView : public View3 {
   /// Finds the collar elements that bound a triangle of a collar: its edges, or where none is one,
   /// those of the triangles beside it. Not those that are short beside it already.
   void propose_collar_elements(const FaceTriangle& t);
-  /// Leaves out what protected simplices are: subsegments and triangles of collars. Returns whether
-  /// there were some.
+  /// Leaves out what collar simplices are: protected subsegments and triangles of collars. Returns
+  /// whether there were some.
   bool leave_out_protected();
   /// Looks at the circumcenter c of t: whether it encroaches upon segments.
   Outlook3 look(const Point3& c, const FaceTriangle& t);
