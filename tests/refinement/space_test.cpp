@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <set>
 
 #include "circumball/trace.h"
@@ -87,6 +88,88 @@ TEST_P(SpaceReplay, ARunRebuildsCellsAndFacesForwardsAndBackwards) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Algorithms, SpaceReplay, ::testing::Values("delaunay", "feature-size"));
+
+/// Two squares that meet along an edge at 25 degrees.
+Complex sharp_book() {
+  Complex c;
+  c.dimension = 3;
+  c.vertices = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {0.906, 0, 0.423}, {0.906, 1, 0.423}};
+  c.faces.resize(2);
+  c.faces[0].loops = {{0, 1, 3, 2}};
+  c.faces[1].loops = {{0, 1, 5, 4}};
+  c.segments = {{0, 1}, {1, 3}, {3, 2}, {2, 0}, {1, 5}, {5, 4}, {4, 0}};
+  return c;
+}
+
+using Elements = std::vector<std::array<std::uint32_t, 5>>;
+Elements elements(const Replay& replay) {
+  Elements all;
+  for (const ProtectingElement& p : replay.protection()) {
+    all.push_back({p.a, p.b, p.c, p.carrier, static_cast<std::uint32_t>(p.kind)});
+  }
+  return all;
+}
+
+TEST(SpaceTrace, ProtectingElementsAreEdgesOfTheirFacesAndComeBackBackwards) {
+  Options options = options_of("collar");
+  options.limits.max_vertices = 4000;
+  Trace trace;
+  trace.dimension = 3;
+  const auto run = finish(sharp_book(), options, &trace);
+  ASSERT_EQ(run->status(), Status::kComplete);
+  Replay replay(trace);
+  std::map<std::size_t, Elements> after;
+  std::array<std::size_t, kProtectingKinds> born{};
+  while (replay.forward()) {
+    if (trace.events[replay.position() - 1].kind != EventKind::kProtection) continue;
+    after[replay.position()] = elements(replay);
+  }
+  // At the end each is an edge of a triangle of its face, or of the mesh on its segment.
+  std::set<std::array<std::uint32_t, 3>> edges;
+  const std::vector<std::uint32_t> faces = replay.face_triangles();
+  for (std::size_t i = 0; i < faces.size(); i += 5) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = faces[i + k], b = faces[i + (k + 1) % 3];
+      edges.insert({std::min(a, b), std::max(a, b), faces[i + 4] / 4});
+    }
+  }
+  std::set<std::array<std::uint32_t, 3>> pieces;
+  for (const MeshEdge& e : run->mesh().edges) {
+    pieces.insert({std::min(e.a, e.b), std::max(e.a, e.b), e.segment});
+  }
+  for (const auto& [a, b, c, carrier, kind] : elements(replay)) {
+    ++born[kind];
+    const auto& known = kind == 5 ? pieces : edges;
+    EXPECT_TRUE(known.count({std::min(a, b), std::max(a, b), carrier})) << kind << ": " << a;
+    EXPECT_EQ(c != kNoIndex, static_cast<ProtectingKind>(kind) == ProtectingKind::kCollarArc);
+  }
+  EXPECT_GT(born[0], 0u);
+  EXPECT_GT(born[1], 0u);
+  EXPECT_GT(born[5], 0u);
+  while (replay.backward()) {
+    const auto found = after.find(replay.position());
+    if (found != after.end()) {
+      ASSERT_EQ(elements(replay), found->second);
+    }
+  }
+  EXPECT_TRUE(elements(replay).empty());
+  // As text each has its kind and its carrier; as bytes it reads back, and a kind unknown does not.
+  EXPECT_NE(to_jsonl(trace).find(R"("kind":"collar-arc")"), std::string::npos);
+  Trace back;
+  std::string error;
+  ASSERT_TRUE(trace_from_bytes(to_bytes(trace), &back, &error)) << error;
+  EXPECT_EQ(back.simplices, trace.simplices);
+  std::size_t at = 0;
+  for (const Event& e : trace.events) {
+    if (e.kind == EventKind::kProtection) break;
+    const bool has = e.kind == EventKind::kInserted || e.kind == EventKind::kRelabeled ||
+                     e.kind == EventKind::kFaceChanged;
+    if (has) at += 5 * std::size_t{e.other[0] + e.other[1]};
+  }
+  back.simplices[at + 4] = kProtectingKinds;
+  EXPECT_FALSE(trace_from_bytes(to_bytes(back), &trace, &error));
+  EXPECT_NE(error.find("protects"), std::string::npos) << error;
+}
 
 TEST(SpaceTrace, RecordingDoesNotChangeTheMesh) {
   for (std::uint64_t seed = 100; seed < 108; ++seed) {

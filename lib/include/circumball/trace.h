@@ -34,6 +34,27 @@ enum class EventKind : std::uint8_t {
   kFaceChanged = 9,  ///< in space, after the insertion that it belongs to (or at the end of step
                      ///< 0): died[other[0]], born[other[1]] triangles of the refinement of face
                      ///< `subject` follow in the simplex stream
+  kProtection = 10,  ///< in space, after the insertion (and its face changes) that it belongs to,
+                     ///< or at the end of a step: died[other[0]], born[other[1]] protecting
+                     ///< elements follow in the simplex stream, each as a ProtectingElement
+};
+
+/// What a protecting element is (thesis, Table 6.1 and Section 6.3): the last number of its record.
+enum class ProtectingKind : std::uint32_t {
+  kCollarSegment = 0,        ///< a, b; `carrier` is the face
+  kCollarArc = 1,            ///< from a to b about the input vertex c; `carrier` is the face
+  kRingArc = 2,              ///< from a to b about the vertex c on the input segment `carrier`
+  kSpherePatch = 3,          ///< a, b, c on the sphere about the input vertex `carrier`
+  kTubePatch = 4,            ///< a, b, c on the tube about the input segment `carrier`
+  kProtectedSubsegment = 5,  ///< a, b of the input segment `carrier`; never split any more
+};
+constexpr std::uint32_t kProtectingKinds = 6;
+
+/// One element of what protects acute input features: a record of kProtection.
+struct ProtectingElement {
+  ProtectingKind kind = ProtectingKind::kCollarSegment;
+  std::uint32_t a = kNoIndex, b = kNoIndex, c = kNoIndex;  ///< vertices
+  std::uint32_t carrier = kNoIndex;                        ///< by its kind
 };
 
 /// Why: one list for all kinds of events.
@@ -102,7 +123,10 @@ struct Event {
       kNoIndex, kNoIndex, kNoIndex,
       kNoIndex};  ///< vertices; a subsegment has its input segment in simplex[3]; an arc (kNoIndex
                   ///< there) the center of its circle, an input vertex, in simplex[2]; in space a
-                  ///< triangle of a face has the face in simplex[3]
+                  ///< triangle of a face has the face in simplex[3]; a vertex that splits nothing
+                  ///< and protects (kCollar, kCircle) has in simplex[0] the vertex of the segment
+                  ///< that it stands across from, in simplex[1] the input vertex whose circle it
+                  ///< lies on, in simplex[3] the face, as far as there are such
   std::uint32_t subject = kNoIndex;
   std::uint32_t other[2] = {kNoIndex, kNoIndex};
   double at[3] = {0, 0, 0};
@@ -118,7 +142,7 @@ class TraceSink {
   /// + 2) numbers each, the vertices (counter-clockwise) and the domain label (0 unknown, 1 inside,
   /// 2 outside). Simplices at infinity are left out. For kFaceChanged, triangles: three vertices,
   /// counter-clockwise about the normal of the face, kNoIndex, and 4 * face + label (1 inside of
-  /// the polygon, 2 outside of it).
+  /// the polygon, 2 outside of it). For kProtection, elements: a, b, c, carrier, kind.
   virtual void event(const Event& event, const std::uint32_t* simplices, std::size_t count) = 0;
 };
 
@@ -143,6 +167,7 @@ std::string describe(const Event& event, const std::vector<std::string>& steps);
 /// Names of the enumerators, kebab-case ("radius-edge").
 const char* name(EventKind kind);
 const char* name(Reason reason);
+const char* name(ProtectingKind kind);
 
 /// Rebuilds the state of a run from its trace, forwards and backwards. The trace must outlive it,
 /// and come from a run or from `trace_from_bytes`. A step costs O(k log n) for k dead and born
@@ -160,6 +185,8 @@ class Replay {
   std::vector<std::uint32_t> cells() const;
   /// In space, the live triangles of the refinements of faces, as recorded, by face and vertices.
   std::vector<std::uint32_t> face_triangles() const;
+  /// In space, the live protecting elements, by kind, carrier and vertices.
+  std::vector<ProtectingElement> protection() const;
   /// The vertices inserted so far, by number.
   const std::map<std::uint32_t, Point3>& vertices() const { return vertices_; }
 

@@ -146,7 +146,9 @@ class DrawCollars final : public Stage3 {
     if (!plane.contains(places[places.size() / 2])) return;
     VertexId before;
     for (std::size_t i = 0; i < places.size(); ++i) {
-      const VertexId p = insert(w, f, places[i], v[i + 1], Reason::kCollar);
+      const bool first = i == 0, ends = first || i + 1 == places.size();
+      const VertexId center = ends ? v[first ? 0 : last] : VertexId();
+      const VertexId p = insert(w, f, places[i], v[i + 1], Reason::kCollar, center);
       if (p.valid() && before.valid()) create(w, before, p, f, VertexId());
       before = p;
       if (i == 0) on_circles_.push_back({v[0], t, side, p});
@@ -154,7 +156,9 @@ class DrawCollars final : public Stage3 {
     }
   }
 
-  VertexId insert(Workspace3& w, std::uint32_t f, const Point2& at, VertexId near, Reason why) {
+  /// `near` is a vertex of the face; `center` the input vertex whose circle it lies on, if any.
+  VertexId insert(Workspace3& w, std::uint32_t f, const Point2& at, VertexId near, Reason why,
+                  VertexId center) {
     const Point3 p = w.live.face(f).plane().to_space(at);
     Delaunay3& dt = w.live.triangulation();
     const Feature feature{FeatureKind::kFace, f};
@@ -165,11 +169,15 @@ class DrawCollars final : public Stage3 {
       return VertexId();
     }
     const View3 view(w.live, w.recorder.on());
-    return insert_vertex(w, view, w.recorder.insertion(why), p, feature);
+    Event event = w.recorder.insertion(why);
+    if (why == Reason::kCollar) event.simplex[0] = near.value;
+    event.simplex[1] = center.value;
+    event.simplex[3] = f;
+    return insert_vertex(w, view, event, p, feature);
   }
 
   static void create(Workspace3& w, VertexId a, VertexId b, std::uint32_t f, VertexId center) {
-    w.live.create_collar_element(a, b, f, center);
+    w.recorder.protection_began(w.live.create_collar_element(a, b, f, center));
   }
 
   /// Rule 3: arcs about input vertices, none longer than a quarter turn.
@@ -233,7 +241,7 @@ class DrawCollars final : public Stage3 {
       mean = {-mean.x, -mean.y};
     }
     const double scale = radius / std::sqrt(dot(mean, mean));
-    const VertexId m = insert(w, f, plus(center, scale, mean), from, Reason::kCircle);
+    const VertexId m = insert(w, f, plus(center, scale, mean), from, Reason::kCircle, q0);
     if (!m.valid()) return;
     draw_arc(w, f, q0, center, from, m);
     draw_arc(w, f, q0, center, m, to);
@@ -244,7 +252,7 @@ class DrawCollars final : public Stage3 {
     const double radius = w.live.protection_radius(q0);
     VertexId first, before, near = q0;
     for (const Point2& d : {Point2{1, 0}, Point2{0, 1}, Point2{-1, 0}, Point2{0, -1}}) {
-      const VertexId p = insert(w, f, plus(center, radius, d), near, Reason::kCircle);
+      const VertexId p = insert(w, f, plus(center, radius, d), near, Reason::kCircle, q0);
       if (!p.valid()) return;
       if (before.valid()) create(w, before, p, f, q0);
       if (!first.valid()) first = p;

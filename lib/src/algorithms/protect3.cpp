@@ -77,7 +77,10 @@ class PrepareSegments final : public Stage3 {
       look_at(w, s);
       if (waiting_.empty() && wanted_.graded && std::exchange(halved_, false)) queue_all(w);
     }
-    if (at_ == Phase::kPieces) w.live.protect(std::move(radii_), segments_);
+    if (at_ == Phase::kPieces) {
+      w.live.protect(std::move(radii_), segments_);
+      w.recorder.subsegments_protected();
+    }
     at_ = Phase::kDone;
     return true;
   }

@@ -24,6 +24,26 @@ const char* name(EventKind kind) {
       return "limit";
     case EventKind::kFaceChanged:
       return "face-changed";
+    case EventKind::kProtection:
+      return "protection";
+  }
+  return "unknown";
+}
+
+const char* name(ProtectingKind kind) {
+  switch (kind) {
+    case ProtectingKind::kCollarSegment:
+      return "collar-segment";
+    case ProtectingKind::kCollarArc:
+      return "collar-arc";
+    case ProtectingKind::kRingArc:
+      return "ring-arc";
+    case ProtectingKind::kSpherePatch:
+      return "sphere-patch";
+    case ProtectingKind::kTubePatch:
+      return "tube-patch";
+    case ProtectingKind::kProtectedSubsegment:
+      return "protected-subsegment";
   }
   return "unknown";
 }

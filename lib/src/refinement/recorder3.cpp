@@ -124,4 +124,47 @@ void Recorder3::face_created(std::uint32_t face) {
   send_with_stream(e);
 }
 
+ProtectingElement Recorder3::element(SubsegmentId s) const {
+  const Subsegment& u = live_.subsegment(s);
+  const ProtectingKind kind = !u.is_collar_element() ? ProtectingKind::kProtectedSubsegment
+                              : u.is_arc()           ? ProtectingKind::kCollarArc
+                                                     : ProtectingKind::kCollarSegment;
+  return {kind, u.a.value, u.b.value, u.center.value,
+          u.is_collar_element() ? u.face : u.segment.value};
+}
+
+void Recorder3::protection_changed(const std::vector<ProtectingElement>& died,
+                                   const std::vector<ProtectingElement>& born) {
+  if (!sink_ || (died.empty() && born.empty())) return;
+  Event e = blank(EventKind::kProtection);
+  stream_.clear();
+  e.other[0] = static_cast<std::uint32_t>(died.size());
+  e.other[1] = static_cast<std::uint32_t>(born.size());
+  for (const auto* list : {&died, &born}) {
+    for (const ProtectingElement& p : *list) {
+      stream_.insert(stream_.end(), {p.a, p.b, p.c, p.carrier, std::uint32_t(p.kind)});
+    }
+  }
+  send_with_stream(e);
+}
+
+void Recorder3::subsegments_protected() {
+  if (!sink_) return;
+  std::vector<ProtectingElement> born;
+  for (std::uint32_t i = 0; i < live_.subsegment_count(); ++i) {
+    const Subsegment& u = live_.subsegment(SubsegmentId(i));
+    if (u.alive && u.is_collar && !u.is_collar_element()) born.push_back(element(SubsegmentId(i)));
+  }
+  protection_changed({}, born);
+}
+
+void Recorder3::protection_began(SubsegmentId s) {
+  if (sink_) protection_changed({}, {element(s)});
+}
+
+void Recorder3::protection_split(SubsegmentId s, const std::array<SubsegmentId, 2>& halves) {
+  if (!sink_ || !live_.subsegment(s).is_collar_element()) return;
+  protection_changed({element(s)}, {element(halves[0]), element(halves[1])});
+}
+
 }  // namespace circumball

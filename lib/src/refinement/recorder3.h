@@ -1,6 +1,9 @@
 #ifndef CIRCUMBALL_REFINEMENT_RECORDER3_H_
 #define CIRCUMBALL_REFINEMENT_RECORDER3_H_
 
+#include <array>
+#include <vector>
+
 #include "complex/solid_domain.h"
 #include "refinement/recorder_base.h"
 #include "refinement/view3.h"
@@ -33,6 +36,15 @@ class Recorder3 : public RecorderBase<Recorder3, Point3> {
   void relabeled(const std::vector<RelabeledCell>& cells);
   /// The triangles of a face as they are when its refinement begins.
   void face_created(std::uint32_t face);
+  /// What protects acute input features: elements that end, and those that begin.
+  void protection_changed(const std::vector<ProtectingElement>& died,
+                          const std::vector<ProtectingElement>& born);
+  /// The subsegments that are never split from now on (Live3::protect).
+  void subsegments_protected();
+  /// A collar element that was created.
+  void protection_began(SubsegmentId s);
+  /// s is split into these two: of interest if it is a collar element.
+  void protection_split(SubsegmentId s, const std::array<SubsegmentId, 2>& halves);
 
  private:
   friend RecorderBase;
@@ -45,6 +57,7 @@ class Recorder3 : public RecorderBase<Recorder3, Point3> {
                     VertexId c);
   bool append(std::uint32_t face, const Delaunay2::Triangle& t);
   void face_changed(std::uint32_t face);
+  ProtectingElement element(SubsegmentId s) const;
 
   const Live3& live_;
 };

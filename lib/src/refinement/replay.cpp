@@ -6,18 +6,21 @@
 
 namespace circumball {
 
-/// The live cells and triangles of faces, each with its identity and as it was recorded. The
-/// identity: its vertices in ascending order; for a triangle of a face, after the face.
+/// The live cells, triangles of faces and protecting elements, each with its identity and as it was
+/// recorded. The identity: its vertices in ascending order; for a triangle of a face, after the
+/// face; for a protecting element, after its kind and carrier.
 struct Replay::State {
   struct Cell {
-    std::array<std::uint32_t, 4> key;
+    std::array<std::uint32_t, 5> key;
     std::array<std::uint32_t, 5> as_recorded;
     friend bool operator<(const Cell& a, const Cell& b) { return a.key < b.key; }
   };
-  std::set<Cell> live, live_in_faces;
+  std::set<Cell> live, live_in_faces, live_protection;
   static std::vector<std::uint32_t> as_recorded(const std::set<Cell>& cells, int dimension);
   std::set<Cell>& of(const Event& e) {
-    return e.kind == EventKind::kFaceChanged ? live_in_faces : live;
+    return e.kind == EventKind::kFaceChanged  ? live_in_faces
+           : e.kind == EventKind::kProtection ? live_protection
+                                              : live;
   }
 };
 
@@ -25,7 +28,7 @@ namespace {
 
 bool has_record(const Event& e) {
   return e.kind == EventKind::kInserted || e.kind == EventKind::kRelabeled ||
-         e.kind == EventKind::kFaceChanged;
+         e.kind == EventKind::kFaceChanged || e.kind == EventKind::kProtection;
 }
 
 }  // namespace
@@ -40,14 +43,18 @@ void Replay::exchange(const Event& e, std::size_t out_at, std::size_t out, std::
   const auto d = static_cast<std::size_t>(trace_->dimension);
   const auto cell = [&](std::size_t at) {
     State::Cell c{};
-    c.key.fill(kNoIndex);
     std::copy_n(trace_->simplices.begin() + static_cast<std::ptrdiff_t>(at), d + 2,
                 c.as_recorded.begin());
-    std::copy_n(c.as_recorded.begin(), d + 1, c.key.begin());
-    std::sort(c.key.begin(), c.key.end());
+    const auto& r = c.as_recorded;
     if (e.kind == EventKind::kFaceChanged) {
-      std::copy_backward(c.key.begin(), c.key.begin() + 3, c.key.end());
-      c.key[0] = c.as_recorded[4] / 4;
+      c.key = {r[4] / 4, r[0], r[1], r[2], kNoIndex};
+      std::sort(c.key.begin() + 1, c.key.begin() + 4);
+    } else if (e.kind == EventKind::kProtection) {
+      c.key = {r[4], r[3], r[0], r[1], r[2]};
+      std::sort(c.key.begin() + 2, c.key.end());
+    } else {
+      c.key = {r[0], r[1], r[2], d == 3 ? r[3] : kNoIndex, kNoIndex};
+      std::sort(c.key.begin(), c.key.end());
     }
     return c;
   };
@@ -100,6 +107,15 @@ std::vector<std::uint32_t> Replay::cells() const {
 
 std::vector<std::uint32_t> Replay::face_triangles() const {
   return State::as_recorded(state_->live_in_faces, trace_->dimension);
+}
+
+std::vector<ProtectingElement> Replay::protection() const {
+  std::vector<ProtectingElement> all;
+  for (const State::Cell& c : state_->live_protection) {
+    const auto& r = c.as_recorded;
+    all.push_back({static_cast<ProtectingKind>(r[4]), r[0], r[1], r[2], r[3]});
+  }
+  return all;
 }
 
 }  // namespace circumball

@@ -130,7 +130,9 @@ class SolidAgenda {
       if (why) queue(simplex, why);
     };
     if constexpr (std::is_same_v<Simplex, SubsegmentId>) {
-      for (const SubsegmentId half : w.live.split(s, v)) ask(half, rules.unacceptable(view, half));
+      const std::array<SubsegmentId, 2> halves = w.live.split(s, v);
+      w.recorder.protection_split(s, halves);
+      for (const SubsegmentId half : halves) ask(half, rules.unacceptable(view, half));
     }
     ask_in_faces(w.live, view, rules, v, ask);
     ask_dead(w.live, view, rules, v, ask);

@@ -38,7 +38,7 @@ void make_room(std::vector<T>* all, std::size_t more) {
 /// Whether simplices of an event follow in the stream.
 bool has_record(const Event& e) {
   return e.kind == EventKind::kInserted || e.kind == EventKind::kRelabeled ||
-         e.kind == EventKind::kFaceChanged;
+         e.kind == EventKind::kFaceChanged || e.kind == EventKind::kProtection;
 }
 
 /// How many vertices a simplex of an event has.
@@ -133,10 +133,41 @@ std::string why_queued(const Event& e) {
   }
 }
 
+/// A protecting element, with the names that its kind gives to its numbers.
+nlohmann::ordered_json element_json(const std::uint32_t* r) {
+  const auto kind = static_cast<ProtectingKind>(r[4]);
+  nlohmann::ordered_json line = {{"kind", name(kind)}};
+  const bool patch = kind == ProtectingKind::kSpherePatch || kind == ProtectingKind::kTubePatch;
+  line["vertices"] = std::vector<std::uint32_t>(r, r + (patch ? 3 : 2));
+  if (!patch && r[2] != kNoIndex) line["center"] = r[2];
+  const bool in_face = kind == ProtectingKind::kCollarSegment || kind == ProtectingKind::kCollarArc;
+  const char* carrier = in_face                                ? "face"
+                        : kind == ProtectingKind::kSpherePatch ? "vertex"
+                                                               : "segment";
+  line[carrier] = r[3];
+  return line;
+}
+
 /// What a vertex is that splits nothing.
-const char* without_simplex(Reason reason) {
-  if (reason == Reason::kBox) return ", a corner of the box,";
-  return reason == Reason::kCircle ? ", on a protecting circle," : " of the input";
+std::string without_simplex(const Event& e) {
+  const std::string in_face =
+      e.simplex[3] == kNoIndex ? "" : " in face " + std::to_string(e.simplex[3]);
+  const std::string circle = e.simplex[1] == kNoIndex
+                                 ? " a protecting circle"
+                                 : " the circle about input vertex " + std::to_string(e.simplex[1]);
+  switch (e.reason) {
+    case Reason::kBox:
+      return ", a corner of the box,";
+    case Reason::kCircle:
+      return ", on" + circle + in_face + ",";
+    case Reason::kCollar:
+      if (e.simplex[1] != kNoIndex) return ", of the collar" + in_face + ", on" + circle + ",";
+      if (e.simplex[0] == kNoIndex) return ", of a collar,";
+      return ", of the collar" + in_face + ", across from vertex " + std::to_string(e.simplex[0]) +
+             " of its segment,";
+    default:
+      return " of the input";
+  }
 }
 
 std::string place_inserted(Reason reason) {
@@ -234,13 +265,21 @@ bool trace_from_bytes(const std::string& bytes, Trace* trace, std::string* error
   trace->simplices.resize(head[3]);
   take(bytes, &at, head[2], trace->events.data());
   take(bytes, &at, head[3], trace->simplices.data());
-  // What a replay relies on: counts of simplices that the stream has.
+  // What a replay relies on: counts of simplices that the stream has, kinds that there are.
   std::uint64_t used = 0;
   const std::uint64_t stride = head[0] + 2;
   for (const Event& e : trace->events) {
     if (!has_record(e)) continue;
+    const std::uint64_t first = used;
     used += (std::uint64_t{e.other[0]} + e.other[1]) * stride;
     if (used > head[3]) return false;
+    if (e.kind != EventKind::kProtection) continue;
+    *error = "the trace protects by what this version does not know";
+    if (stride != 5) return false;
+    for (std::uint64_t i = first; i < used; i += stride) {
+      if (trace->simplices[i + 4] >= kProtectingKinds) return false;
+    }
+    *error = "the trace ends early";
   }
   error->clear();
   return true;
@@ -259,6 +298,10 @@ std::string to_jsonl(const Trace& trace) {
       if (e.dimension == 1 && e.simplex[3] != kNoIndex) line["segment"] = e.simplex[3];
       if (e.dimension == 1 && e.simplex[2] != kNoIndex) line["center"] = e.simplex[2];
       if (e.dimension == 2 && e.simplex[3] != kNoIndex) line["face"] = e.simplex[3];
+    } else if (e.kind == EventKind::kInserted) {
+      if (e.simplex[0] != kNoIndex) line["at-vertex"] = e.simplex[0];
+      if (e.simplex[1] != kNoIndex) line["center"] = e.simplex[1];
+      if (e.simplex[3] != kNoIndex) line["face"] = e.simplex[3];
     }
     if (e.kind == EventKind::kFaceChanged) line["face"] = e.subject;
     if (e.kind == EventKind::kInserted) line["vertex"] = e.subject;
@@ -279,6 +322,10 @@ std::string to_jsonl(const Trace& trace) {
       const auto simplices = [&](std::uint32_t count) {
         nlohmann::ordered_json list = nlohmann::ordered_json::array();
         for (std::uint32_t i = 0; i < count; ++i, at += stride) {
+          if (e.kind == EventKind::kProtection) {
+            list.push_back(element_json(&trace.simplices[at]));
+            continue;
+          }
           list.push_back(std::vector<std::uint32_t>(
               trace.simplices.begin() + static_cast<std::ptrdiff_t>(at),
               trace.simplices.begin() + static_cast<std::ptrdiff_t>(at + size)));
@@ -325,7 +372,7 @@ std::string describe(const Event& e, const std::vector<std::string>& steps) {
     case EventKind::kInserted: {
       const std::string vertex = "Vertex " + std::to_string(e.subject);
       if (e.dimension == 0) {
-        return vertex + without_simplex(e.reason) + " is inserted.";
+        return vertex + without_simplex(e) + " is inserted.";
       }
       std::string split = simplex_words(e);
       split[0] = 't';
@@ -336,6 +383,9 @@ std::string describe(const Event& e, const std::vector<std::string>& steps) {
       return "The triangulation of face " + std::to_string(e.subject) +
              " changes: " + std::to_string(e.other[0]) + " triangles die, " +
              std::to_string(e.other[1]) + " are born.";
+    case EventKind::kProtection:
+      return "What protects the input changes: " + std::to_string(e.other[0]) +
+             " of its elements die, " + std::to_string(e.other[1]) + " are born.";
     case EventKind::kRelabeled:
       return "The triangles are told apart: inside and outside of the domain.";
     case EventKind::kLimit:

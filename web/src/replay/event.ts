@@ -16,6 +16,7 @@ export const Kind = {
   relabeled: 7,
   limit: 8,
   faceChanged: 9,
+  protection: 10,
 } as const;
 
 export const Reason = {
@@ -71,8 +72,9 @@ export interface TraceEvent {
   readonly step: number;
   readonly simplex: readonly number[]; // its vertices: dimension + 1 of them
   readonly segment: number; // input segment of a subsegment; NONE
-  readonly face: number; // in space, the input face that a triangle lies in; NONE
-  readonly center: number; // input vertex that an arc is about; NONE
+  readonly face: number; // in space, the input face that a triangle, or a vertex that protects, lies in; NONE
+  readonly center: number; // input vertex that an arc, or the circle of a vertex that protects, is about; NONE
+  readonly across: number; // vertex of a segment that a vertex of a collar stands across from; NONE
   readonly subject: number;
   readonly other: readonly [number, number];
   readonly at: Point; // x and y

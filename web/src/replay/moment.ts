@@ -7,9 +7,11 @@ import {
   type Point3,
   type RuleName,
 } from '../shared/types.ts';
+import { collarRegionAt } from './collar-region.ts';
 import { Kind, NONE, Reason, type TraceEvent, yieldedTo } from './event.ts';
 import { circumcircle, distance, midpoint, point } from './geometry.ts';
 import { type Ball3, circumball, distance3, point3 } from './geometry3.ts';
+import { canonical } from './lives.ts';
 import type { Replay } from './replay.ts';
 import { type DomainCounts, sentenceOf } from './sentence.ts';
 
@@ -24,6 +26,7 @@ const kinds: readonly MomentKind[] = [
   'relabeled',
   'limit',
   'face-changed',
+  'protection',
 ];
 
 /** What the event that led to a position shows: who acts, by which rule, why. Null at position 0. */
@@ -49,7 +52,11 @@ export function momentAt(
     yieldFace: yields && e.value > 0 ? yieldedTo(e) : null,
     vertex: e.kind === Kind.inserted ? e.subject : null,
     change: replay.change(position - 1, forward),
-    sentence: sentenceOf(e, trace.steps, trace.dimension, domainCounts(replay, e)),
+    sentence: sentenceOf(e, trace.steps, trace.dimension, {
+      domain: domainCounts(replay, e),
+      protecting: trace.protecting,
+      inCollar: yieldsInCollar(replay, e),
+    }),
   } as const;
   if (trace.dimension === 3) {
     const corners = known.map((v) => point3(xyz, v));
@@ -62,6 +69,7 @@ export function momentAt(
       ghost: hasGhost ? e.place : refusedCenter(e, corners),
       face: face === NONE ? null : face,
       facets: trace.facetLives?.changed(e.index).born ?? new Uint32Array(0),
+      elements: trace.protecting?.lives.changed(e.index).born ?? new Uint32Array(0),
     };
   }
   const corners = known.map((v) => point(xyz, v));
@@ -102,6 +110,18 @@ function nearness(replay: Replay, e: TraceEvent): { near: number | null; ball: B
   const radius = 2 * (circumball(e.simplex.map(at))?.radius ?? Number.NaN);
   if (near === null || !Number.isFinite(radius)) return { near, ball: null };
   return { near, ball: { center: at(near), radius } };
+}
+
+/** A triangle of a collar that is encroached is not split: it queues the collar elements at it. */
+function yieldsInCollar(replay: Replay, e: TraceEvent): boolean {
+  const { trace } = replay;
+  if (trace.dimension === 2 || e.kind !== Kind.yielded || e.face === NONE) return false;
+  if (e.subject !== NONE || replay.position !== e.index + 1) return false;
+  const record = [...canonical(...(e.simplex as [number, number, number])), e.face];
+  const { data } = trace.facetLives!.vertices;
+  return collarRegionAt(trace, replay.state()).facets.some((n) =>
+    record.every((x, k) => data[4 * n + k] === x),
+  );
 }
 
 function domainCounts(replay: Replay, e: TraceEvent): DomainCounts | undefined {

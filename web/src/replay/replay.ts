@@ -13,10 +13,12 @@ export class Replay {
   position = 0;
   private readonly cells: LiveSet;
   private readonly facets: LiveSet | null;
+  private readonly protecting: LiveSet | null;
 
   constructor(readonly trace: Trace) {
     this.cells = new LiveSet(trace.cellLives);
     this.facets = trace.facetLives && new LiveSet(trace.facetLives);
+    this.protecting = trace.protecting && new LiveSet(trace.protecting.lives);
   }
 
   seek(goal: number): void {
@@ -47,6 +49,7 @@ export class Replay {
       }
     }
     const facets = t.facetLives;
+    const protection = t.protecting?.lives;
     return {
       dimension: t.dimension,
       position: this.position,
@@ -74,18 +77,29 @@ export class Replay {
         live: this.facets!.list,
         liveCount: this.facets!.count,
       },
+      protection: protection
+        ? {
+            count: protection.count,
+            elements: protection.vertices.data,
+            kind: protection.label.data,
+            live: this.protecting!.list,
+            liveCount: this.protecting!.count,
+          }
+        : null,
     };
   }
 
   private apply(i: number, forward: boolean): void {
     this.cells.apply(i, forward);
     this.facets?.apply(i, forward);
+    this.protecting?.apply(i, forward);
     this.position += forward ? 1 : -1;
   }
 
   private scan(position: number): void {
     this.cells.scan(position);
     this.facets?.scan(position);
+    this.protecting?.scan(position);
     this.position = position;
   }
 }

@@ -1,5 +1,8 @@
-import { formatCount, formatNumber, simplexName } from '../words.ts';
+import { Protecting } from '../shared/types.ts';
+import { formatCount, formatList, formatNumber } from '../words.ts';
 import { Kind, NONE, Reason, type TraceEvent, yieldedTo } from './event.ts';
+import { elementName, eventName, nameOf } from './names.ts';
+import type { ProtectingLives } from './protecting.ts';
 
 /**
  * The sentence of an event, in the words of the four rules, naming the witness: what circumball::describe says for the
@@ -9,9 +12,9 @@ export function sentenceOf(
   e: TraceEvent,
   steps: readonly string[],
   dimension: 2 | 3 = 2,
-  domain?: DomainCounts,
+  { domain, protecting = null, inCollar = false }: SentenceContext = {},
 ): string {
-  const name = simplexName(e.simplex, e.segment, e.face);
+  const name = eventName(protecting, e);
   const step = stepName(steps[e.step] ?? String(e.step));
   switch (e.kind) {
     case Kind.stepBegan:
@@ -27,11 +30,15 @@ export function sentenceOf(
         ? `${capital(name)} was taken from the queue and dropped: it is no longer in the mesh.`
         : `${capital(name)} was taken from the queue and dropped: it has become acceptable.`;
     case Kind.refused:
-      return `${capital(name)} is not safe to split: ${refusal(e)}.`;
+      return `${capital(name)} is not safe to split: ${refusal(e, dimension)}.`;
     case Kind.yielded: {
       const to = yieldedTo(e);
       const other =
-        to.length === 3 ? simplexName(to, NONE, e.subject) : simplexName(to, e.subject, NONE);
+        to.length === 3
+          ? nameOf(protecting, to, NONE, e.subject)
+          : nameOf(protecting, to, e.subject, NONE);
+      if (inCollar)
+        return `${capital(name)} belongs to the collar and is never split: ${other} at its edge is queued instead.`;
       return `The circumcenter of ${name} encroaches upon ${other}, so it yields: that is queued instead, and the ${simplexSort(e)} goes back.`;
     }
     case Kind.inserted:
@@ -40,6 +47,8 @@ export function sentenceOf(
       return relabeled(e, dimension, domain);
     case Kind.faceChanged:
       return faceChanged(e);
+    case Kind.protection:
+      return protection(e, protecting);
     case Kind.limit:
       return `The run stops: ${limit(e.reason)}.`;
     default:
@@ -47,10 +56,35 @@ export function sentenceOf(
   }
 }
 
+/** What the record of an event leaves out. */
+export interface SentenceContext {
+  readonly domain?: DomainCounts | undefined;
+  readonly protecting?: ProtectingLives | null;
+  readonly inCollar?: boolean; // the triangle that yields belongs to a collar
+}
+
 /** Of the cells whose side of the boundary an event tells. */
 export interface DomainCounts {
   readonly inside: number;
   readonly outside: number;
+}
+
+/** What protects acute features follows what was inserted. */
+function protection(e: TraceEvent, protecting: ProtectingLives | null): string {
+  const [dead, born] = e.other;
+  if (!protecting) return '';
+  const changed = protecting.lives.changed(e.index);
+  const names = (list: ArrayLike<number>) =>
+    Array.from(list, (n) => elementName(protecting.element(n)));
+  if (dead === 0 && born === 1) return `${capital(names(changed.born)[0]!)} is drawn.`;
+  if (dead === 1 && born === 2) {
+    const parts = Array.from(changed.born, (n) => protecting.element(n).vertices.join('–'));
+    return `${capital(names(changed.died)[0]!)} is now two: ${formatList(parts)}.`;
+  }
+  const kinds = Array.from(changed.born, (n) => protecting.element(n).kind);
+  if (dead === 0 && kinds.every((k) => k === Protecting.subsegment))
+    return `${plural(born, 'subsegment is', 'subsegments are')} short enough, and protected: never split from now on.`;
+  return `What protects the input changes: ${plural(dead, 'element', 'elements')} became ${formatCount(born)}.`;
 }
 
 /** The triangulation of a face follows what happened in space. */
@@ -131,8 +165,11 @@ function inserted(e: TraceEvent, name: string): string {
     case Reason.division:
       return `${vertex} is inserted to divide ${name} into equal parts.${radius}`;
     case Reason.collar:
+      if (e.dimension === 0) return collarVertex(e, radius);
       return `${vertex} is inserted on ${name}, at the distance that protects its acute angle.${radius}`;
     case Reason.circle:
+      if (e.center !== NONE)
+        return `Rule 3: vertex ${e.subject} is inserted in face ${e.face} on the circle about input vertex ${e.center}, so that no collar arc spans more than a quarter turn.${radius}`;
       return `${vertex} is inserted on the circle that protects an acute angle, so that no arc spans more than a quarter turn.${radius}`;
     case Reason.arcMidpoint:
       return `${vertex} is inserted at the midpoint of ${name}.${radius}`;
@@ -151,11 +188,22 @@ function inserted(e: TraceEvent, name: string): string {
   }
 }
 
-function refusal(e: TraceEvent): string {
+/** Step 2c of Algorithm 6.2: rules 1 and 2. */
+function collarVertex(e: TraceEvent, radius: string): string {
+  const where = e.face === NONE ? '' : ` in face ${e.face}`;
+  if (e.center !== NONE)
+    return `Rule 2: vertex ${e.subject} is inserted${where} beside the end segment at input vertex ${e.center}, on the circle about it that passes through the segment’s tip${e.across === NONE ? '' : `, vertex ${e.across}`}.${radius}`;
+  if (e.across === NONE) return `Vertex ${e.subject} of a collar is inserted${where}.${radius}`;
+  return `Rule 1: vertex ${e.subject} is inserted${where} straight across from vertex ${e.across} of a segment, at 0.6 of the longer subsegment there.${radius}`;
+}
+
+function refusal(e: TraceEvent, dimension: 2 | 3): string {
   switch (e.reason) {
     case Reason.outsideDomain:
       return 'its circumcenter lies outside the domain';
     case Reason.protected:
+      if (dimension === 3)
+        return 'its circumcenter lies in the balls of collar simplices alone, which are never split (Theorem 6.11 allows it)';
       return e.dimension === 1
         ? 'it is a collar simplex, which protects an acute input angle'
         : 'its circumcenter lies in the diametral disk of a collar simplex, which is never split';

@@ -2,6 +2,7 @@ import { NEVER, VertexKind } from '../shared/types.ts';
 import { EVENT_BYTES, Kind, NONE, Reason, type TraceEvent } from './event.ts';
 import { GrowF64, GrowU8, GrowU32 } from './grow.ts';
 import { ascending, canonical, Lives } from './lives.ts';
+import { ELEMENT_NUMBERS, ProtectingLives } from './protecting.ts';
 import { QueueHistory } from './queue.ts';
 import { SimplexTable } from './simplex-table.ts';
 
@@ -40,6 +41,8 @@ export class Trace {
   }
   /** In space, the triangles of each face's own triangulation: a, b, c (counter-clockwise about its normal), face. */
   readonly facetLives: Lives | null;
+  /** In space, what protects acute features. */
+  readonly protecting: ProtectingLives | null;
 
   readonly subsegments = new GrowU32();
   readonly subsegmentBorn = new GrowU32();
@@ -69,6 +72,7 @@ export class Trace {
     this.dimension = input.dimension ?? 2;
     this.cellLives = new Lives(this.dimension === 2 ? 3 : 4);
     this.facetLives = this.dimension === 2 ? null : new Lives(4);
+    this.protecting = this.dimension === 2 ? null : new ProtectingLives();
     const { vertices, label, born, died } = this.cellLives;
     this.cells = vertices;
     this.cellLabel = label;
@@ -131,8 +135,10 @@ export class Trace {
       step: this.bytes[byte + 3]!,
       simplex,
       segment: dimension === 1 ? this.words[word + 4]! : NONE,
-      face: dimension === 2 && this.dimension === 3 ? this.words[word + 4]! : NONE,
-      center: dimension === 1 ? this.words[word + 3]! : NONE,
+      face: dimension % 2 === 0 && this.dimension === 3 ? this.words[word + 4]! : NONE,
+      center:
+        dimension === 1 ? this.words[word + 3]! : dimension === 0 ? this.words[word + 2]! : NONE,
+      across: dimension === 0 ? this.words[word + 1]! : NONE,
       subject: this.words[word + 5]!,
       other: [this.words[word + 6]!, this.words[word + 7]!],
       at: [this.doubles[double + 4]!, this.doubles[double + 5]!],
@@ -152,9 +158,12 @@ export class Trace {
         ? this.changeCells(event, simplices, start)
         : event.kind === Kind.faceChanged
           ? this.changeFacets(event, simplices, start)
-          : start;
+          : event.kind === Kind.protection
+            ? this.changeProtection(event, simplices, start)
+            : start;
     this.cellLives.close();
     this.facetLives?.close();
+    this.protecting?.lives.close();
     this.insertedBefore.push(this.insertedBefore.at(i) + (event.kind === Kind.inserted ? 1 : 0));
     this.refusedBefore.push(this.refusedBefore.at(i) + (event.kind === Kind.refused ? 1 : 0));
     this.yieldedBefore.push(this.yieldedBefore.at(i) + (event.kind === Kind.yielded ? 1 : 0));
@@ -189,12 +198,33 @@ export class Trace {
       const corners = simplices.subarray(stream, stream + 3) as unknown as [number, number, number];
       const face = simplices[stream + 4]! >>> 2;
       const record = [...canonical(...corners), face] as [number, number, number, number];
-      if (stream >= start + 5 * deadCount)
+      if (stream >= start + 5 * deadCount) {
         lives.bear(record, record, simplices[stream + 4]! & 3, event.index);
-      else if (lives.kill(record, event.index)) this.queue.died(corners, event.index);
+        this.placeInFace(corners);
+      } else if (lives.kill(record, event.index)) this.queue.died(corners, event.index);
       else throw new Error(`event ${event.index}: a triangle of a face died that never lived`);
     }
     return end;
+  }
+
+  private changeProtection(event: TraceEvent, simplices: Uint32Array, start: number): number {
+    const { protecting } = this;
+    if (!protecting) throw new Error(`event ${event.index}: elements that protect are of space`);
+    const [deadCount, bornCount] = event.other;
+    const born = start + ELEMENT_NUMBERS * deadCount;
+    const end = born + ELEMENT_NUMBERS * bornCount;
+    for (let stream = start; stream < end; stream += ELEMENT_NUMBERS) {
+      if (stream >= born) protecting.bear(simplices, stream, event.index);
+      else if (!protecting.kill(simplices, stream, event.index))
+        throw new Error(`event ${event.index}: an element ended that never began`);
+    }
+    return end;
+  }
+
+  /** A vertex that splits nothing tells by the face that takes it in where it lies. */
+  private placeInFace(corners: readonly number[]): void {
+    for (const v of corners)
+      if (this.vertexKind.data[v] === VertexKind.free) this.vertexKind.data[v] = VertexKind.inFace;
   }
 
   private bearVertex(event: TraceEvent): void {
@@ -213,8 +243,9 @@ export class Trace {
     this.vertexRadius.set(v, event.value);
     if (event.reason === Reason.box && ++this.boxCorners === 2 ** this.dimension)
       this.bearBox(event.index);
-    // Arcs of protecting circles are no subsegments of the input.
-    if (event.dimension === 1 && event.simplex.length === 2 && event.center === NONE) {
+    // Arcs of protecting circles and, in space, collar segments are no subsegments of the input.
+    const ofInput = event.center === NONE && (this.dimension === 2 || event.segment !== NONE);
+    if (event.dimension === 1 && event.simplex.length === 2 && ofInput) {
       const [a, b] = event.simplex as [number, number];
       this.killSubsegment(a, b, event.segment, event.index);
       this.bearSubsegment(a, v, event.segment, event.index);
@@ -296,6 +327,7 @@ export class Trace {
 function vertexKindOf(event: TraceEvent, dimension: number): VertexKind {
   if (event.reason === Reason.input) return VertexKind.input;
   if (event.reason === Reason.box) return VertexKind.box;
-  if (event.dimension === 1 && event.center === NONE) return VertexKind.onSegment;
+  const ofInput = event.center === NONE && (dimension === 2 || event.segment !== NONE);
+  if (event.dimension === 1 && ofInput) return VertexKind.onSegment;
   return dimension === 3 && event.dimension === 2 ? VertexKind.inFace : VertexKind.free;
 }

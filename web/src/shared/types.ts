@@ -123,6 +123,7 @@ export interface MeshState {
   readonly liveSubsegmentCount: number;
 
   readonly facets: FacetState | null; // in space
+  readonly protection?: ProtectionState | null; // in space
 }
 
 /** The triangles of the faces' own triangulations, as the cells are in MeshState. */
@@ -131,6 +132,25 @@ export interface FacetState {
   readonly triangles: Uint32Array; // 4 numbers: a, b, c (counter-clockwise about the normal of the face), face
   readonly label: Uint8Array;
   readonly born: Uint32Array;
+  readonly live: Uint32Array;
+  readonly liveCount: number;
+}
+
+/** What protects acute features in space (lib/include/circumball/trace.h). */
+export const Protecting = {
+  collarSegment: 0, // a, b in a face
+  collarArc: 1, // from a to b about input vertex c, in a face
+  ringArc: 2, // from a to b about vertex c on an input segment
+  spherePatch: 3, // a, b, c on the sphere about an input vertex
+  tubePatch: 4, // a, b, c on the tube about an input segment
+  subsegment: 5, // a, b of an input segment, never split any more
+} as const;
+
+/** Its elements, as the cells are in MeshState. */
+export interface ProtectionState {
+  readonly count: number;
+  readonly elements: Uint32Array; // 4 numbers: a, b, c, and the face, input vertex or input segment that carries it
+  readonly kind: Uint8Array; // as in Protecting
   readonly live: Uint32Array;
   readonly liveCount: number;
 }
@@ -154,7 +174,8 @@ export type MomentKind =
   | 'inserted'
   | 'relabeled'
   | 'limit'
-  | 'face-changed';
+  | 'face-changed'
+  | 'protection';
 
 /** Which of the four rules is acting at a moment. */
 export type RuleName = 'action' | 'priority' | 'unacceptability' | 'safety';
@@ -182,6 +203,7 @@ export interface Moment3 extends MomentOf<Point3> {
   readonly face: number | null;
   readonly near: number | null; // vertex that the witness is a near neighbor of
   readonly facets: Uint32Array; // triangles of a face's own triangulation that were born
+  readonly elements: Uint32Array; // protecting elements that were born
 }
 
 // ---------------------------------------------------------------------------------------------- the picture
