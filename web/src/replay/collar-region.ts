@@ -10,7 +10,7 @@ export interface CollarRegion {
   readonly facets: readonly number[]; // their numbers
 }
 
-const nothing: CollarRegion = { holds: new Uint8Array(0), facets: [] };
+export const noRegion: CollarRegion = { holds: new Uint8Array(0), facets: [] };
 
 /**
  * As the core tells them apart: from the pieces of segments that are protected, and the input vertices that arcs are about, over all
@@ -19,8 +19,8 @@ const nothing: CollarRegion = { holds: new Uint8Array(0), facets: [] };
  */
 export function collarRegion(trace: Trace, state: MeshState): CollarRegion {
   const { facets, protection } = state;
-  if (!facets || !protection || protection.liveCount === 0) return nothing;
-  if (state.position < drawnAt(trace)) return nothing;
+  if (!facets || !protection || protection.liveCount === 0) return noRegion;
+  if (state.position < drawnAt(trace)) return noRegion;
   const { neighbors, edges } = adjacencyOf(facets);
   const barriers = new SimplexTable(); // by ends and face; pieces of segments without one
   const centers = new SimplexTable(); // by vertex and face

@@ -5,6 +5,7 @@ import { parseColor } from '../picture/color';
 import { Batch } from '../picture/gpu/batch';
 import { type Glyphs, makeGlyphs } from '../picture/gpu/glyphs';
 import { renderPng } from '../picture/png';
+import { type CollarRegion, noRegion } from '../replay/collar-region';
 import { distance3, dot, minus, plus } from '../replay/geometry3';
 import type {
   Background,
@@ -19,13 +20,17 @@ import type {
   Point,
   Point3,
 } from '../shared/types';
+import { SpaceCamera } from './camera';
 import { rgbaOf, SpaceColoring } from './coloring';
 import { complexItems3, defectItems3 } from './complex-items';
+import { append } from './face-items';
 import { noSpaceItems, type SpaceItems } from './items';
 import { putPoint3, SpaceLayer } from './layer';
 import { faceColor, faceOpacity, type MeshLook, place, SpaceMeshLayer } from './mesh-layer';
-import { edgesOf, momentOver3, momentUnder3, placesOf } from './moment-items';
+import { momentOver3, momentUnder3, placesOf } from './moment-items';
+import { labelItems3, pickedItems3 } from './overlay-items';
 import { pickSpace } from './pick';
+import { ProtectionLayer } from './protection-layer';
 import { makeSpaceUniforms, setSpaceView, triangleShader } from './shaders';
 import {
   defaultLook,
@@ -39,30 +44,17 @@ import {
   type Basis,
   type Bounds3,
   basisOf,
-  between,
   boundsOf3,
   centerOf,
-  clampScale,
   cornersOf,
   extentOf,
-  fitView,
   include,
   makeWindow3,
-  orbit,
   type Plane,
-  pan,
   planeThrough,
-  project,
-  type Size,
   serves3,
-  standardView,
   type Window3,
-  zoomAt,
 } from './view';
-
-const FLIGHT_MS = 260;
-/** Fewer labels than this can be read. */
-const MOST_LABELS = 400;
 
 interface Stale {
   complex: boolean;
@@ -71,6 +63,7 @@ interface Stale {
   cells: boolean;
   moment: boolean;
   look: boolean;
+  protection: boolean;
 }
 
 const everything: Stale = {
@@ -80,16 +73,18 @@ const everything: Stale = {
   cells: true,
   moment: true,
   look: true,
+  protection: true,
 };
 
 export class CanvasSpacePicture implements SpacePicture {
   readonly canvas: HTMLCanvasElement;
   private readonly renderer: WebGLRenderer;
   private readonly three = new ThreeScene();
-  private readonly camera = new OrthographicCamera();
+  private readonly eye = new OrthographicCamera(); // shaders project by themselves
   private readonly uniforms = makeSpaceUniforms();
   private readonly glyphs: Glyphs;
   private readonly mesh: SpaceMeshLayer;
+  private readonly protection: ProtectionLayer;
   private readonly coloring = new SpaceColoring();
   private readonly faceUniforms = {
     uEdge: { value: new Vector4() },
@@ -101,15 +96,14 @@ export class CanvasSpacePicture implements SpacePicture {
   };
   private readonly faces: Batch;
   private readonly layers: { under: SpaceLayer; input: SpaceLayer; over: SpaceLayer };
-  private readonly viewListeners = new Set<(view: SpaceView) => void>();
   private readonly scaleListeners = new Set<(scale: ColorScale | null) => void>();
-  private view: SpaceView = { target: [0, 0, 0], azimuth: -60, elevation: 24, scale: 100 };
-  private basis: Basis = basisOf(this.view);
-  private flight: { from: SpaceView; to: SpaceView; start: number } | null = null;
-  private size: Size = { width: 1, height: 1 };
-  private insets: Insets = { left: 8, top: 8, right: 8, bottom: 56 };
+  private readonly camera = new SpaceCamera(
+    { all: () => this.contents(), features: () => this.featureBounds },
+    () => this.invalidate(),
+  );
+  private basis: Basis = basisOf(this.camera.view);
   private pixelRatio = 1;
-  private window: Window3 = makeWindow3(this.view, null);
+  private window: Window3 = makeWindow3(this.camera.view, null);
   private complex: Complex3 | null = null;
   private triangles = new Uint32Array(0);
   private defects: readonly DefectMark[] = [];
@@ -121,6 +115,7 @@ export class CanvasSpacePicture implements SpacePicture {
   private boundedVertices = 0;
   private state: MeshState | null = null;
   private run: object | null = null;
+  private region: (() => CollarRegion) | null = null;
   private moment: Moment3 | null = null;
   private spaceLook: SpaceLook = defaultLook;
   private picked: SpaceHit | null = null;
@@ -145,6 +140,7 @@ export class CanvasSpacePicture implements SpacePicture {
     });
     this.glyphs = makeGlyphs();
     this.mesh = new SpaceMeshLayer(this.three, this.uniforms);
+    this.protection = new ProtectionLayer(this.three, this.uniforms);
     this.faces = new Batch(triangleShader(this.faceUniforms), this.uniforms, 11, 'test');
     this.three.add(this.faces.mesh);
     const layer = (order: number, depth: 'none' | 'test') =>
@@ -170,18 +166,24 @@ export class CanvasSpacePicture implements SpacePicture {
     this.touch('complex');
   }
 
-  setMesh(state: MeshState | null, run: object | null): void {
+  setMesh(
+    state: MeshState | null,
+    run: object | null,
+    region: (() => CollarRegion) | null = null,
+  ): void {
     // Before the first event there is nothing but the input.
     const shown = state && state.position > 0 ? state : null;
     if (run !== this.run || !shown) {
       this.run = run;
       this.mesh.clear();
+      this.protection.clear();
       this.coloring.forget();
       this.meshBounds = null;
       this.boundedVertices = 0;
     }
     if ((shown === null) !== (this.state === null)) this.touch('complex');
     this.state = shown;
+    this.region = region;
     this.spacing = shown ? this.mesh.spacing(shown) : this.spacingOfInput;
     this.touch('mesh', 'cells', 'moment');
   }
@@ -215,7 +217,7 @@ export class CanvasSpacePicture implements SpacePicture {
   }
 
   setInsets(insets: Insets): void {
-    this.insets = insets;
+    this.camera.insets = insets;
   }
 
   get scale(): ColorScale | null {
@@ -228,64 +230,44 @@ export class CanvasSpacePicture implements SpacePicture {
   }
 
   getView(): SpaceView {
-    return this.flight?.to ?? this.view;
+    return this.camera.get();
   }
 
   setView(view: SpaceView, smooth = false): void {
-    if (![...view.target, view.azimuth, view.elevation, view.scale].every(Number.isFinite)) return;
-    if (!(view.scale > 0)) return;
-    const to = { ...view, scale: clampScale(view.scale, extentOf(this.contents())) };
-    if (smooth && !this.theme.reducedMotion) {
-      this.flight = { from: this.view, to, start: performance.now() };
-    } else {
-      this.flight = null;
-      this.view = to;
-      for (const listener of this.viewListeners) listener(to);
-    }
-    this.invalidate();
+    this.camera.set(view, smooth && !this.theme.reducedMotion);
   }
 
   onViewChange(listener: (view: SpaceView) => void): () => void {
-    this.viewListeners.add(listener);
-    return () => this.viewListeners.delete(listener);
+    return this.camera.onChange(listener);
   }
 
   fit(smooth = false): void {
-    const view = this.getView();
-    const [features, all] = [this.featureBounds, this.contents()];
-    const target = (bounds: Bounds3) => fitView(view, bounds, this.size, this.insets);
-    const near = features && target(features);
-    // Lonely vertices and the box may stand far around: once the features fill the picture, all of it is shown.
-    if (near && !(smooth && isSame(near, view))) this.setView(near, smooth);
-    else if (all) this.setView(target(all), smooth);
+    this.camera.fit(smooth && !this.theme.reducedMotion);
   }
 
   look(from: StandardView): void {
-    const turned = standardView(this.getView(), from);
-    const bounds = this.featureBounds ?? this.contents();
-    this.setView(bounds ? fitView(turned, bounds, this.size, this.insets) : turned, true);
+    this.camera.look(from, !this.theme.reducedMotion);
   }
 
   zoomBy(factor: number, at?: Point): void {
-    const anchor = at ?? [this.size.width / 2, this.size.height / 2];
-    const extent = extentOf(this.contents());
-    const from = this.getView();
-    const bounded = clampScale(from.scale * factor, extent) / from.scale;
-    this.setView(zoomAt(from, this.size, bounded, anchor));
+    this.camera.zoomBy(factor, at);
   }
 
   panBy(dx: number, dy: number): void {
-    this.setView(pan(this.getView(), dx, dy));
+    this.camera.panBy(dx, dy);
   }
 
   orbitBy(dx: number, dy: number): void {
-    this.setView(orbit(this.getView(), dx, dy));
+    this.camera.orbitBy(dx, dy);
   }
 
   lookAtMoment(): boolean {
     const { moment, state } = this;
-    if (!moment || !state) return false;
-    const bounds = boundsOf3(placesOf(moment, state));
+    return moment !== null && state !== null && this.lookAt(placesOf(moment, state));
+  }
+
+  lookAt(places: readonly Point3[]): boolean {
+    const bounds = boundsOf3(places);
     if (!bounds) return false;
     // A single vertex, or a tiny simplex, among what is around it.
     const least = 3 * this.spacing;
@@ -295,7 +277,7 @@ export class CanvasSpacePicture implements SpacePicture {
       min: plus(middle, [reach, reach, reach], -1),
       max: plus(middle, [reach, reach, reach]),
     };
-    this.setView(fitView(this.getView(), grown, this.size, this.insets), true);
+    this.setView(this.camera.framing(grown), true);
     return true;
   }
 
@@ -304,21 +286,20 @@ export class CanvasSpacePicture implements SpacePicture {
   }
 
   toScreen(p: Point3): Point {
-    const [x, y] = project(this.view, basisOf(this.view), this.size, p);
-    return [x, y];
+    return this.camera.toScreen(p);
   }
 
   direction(): Point3 {
-    return basisOf(this.view).toEye;
+    return basisOf(this.camera.view).toEye;
   }
 
   pick(x: number, y: number): SpaceHit | null {
     this.prepare();
     return pickSpace(
       {
-        view: this.view,
+        view: this.camera.view,
         basis: this.basis,
-        size: this.size,
+        size: this.camera.size,
         look: this.spaceLook,
         plane: this.plane(),
         complex: this.complex,
@@ -333,26 +314,26 @@ export class CanvasSpacePicture implements SpacePicture {
   }
 
   resize(width: number, height: number, pixelRatio: number): void {
-    this.size = { width: Math.max(width, 1), height: Math.max(height, 1) };
+    const size = { width: Math.max(width, 1), height: Math.max(height, 1) };
+    this.camera.size = size;
     this.pixelRatio = pixelRatio;
     this.renderer.setPixelRatio(pixelRatio);
-    this.renderer.setSize(this.size.width, this.size.height, false);
+    this.renderer.setSize(size.width, size.height, false);
     // A resized canvas is blank until it is drawn: at once, or it flickers.
     this.draw();
   }
 
   async toPNG(width: number, background: Background): Promise<Blob> {
-    if (this.flight) this.view = this.flight.to;
-    this.flight = null;
+    this.camera.land();
     this.prepare();
     const paper = background === 'white' ? '#ffffff' : this.theme.background;
     try {
       return await renderPng({
         renderer: this.renderer,
         scene: this.three,
-        camera: this.camera,
+        camera: this.eye,
         uniforms: this.uniforms,
-        size: this.size,
+        size: this.camera.size,
         width,
         background: background === 'transparent' ? [0, 0, 0, 0] : parseColor(paper),
         depth: true,
@@ -369,14 +350,16 @@ export class CanvasSpacePicture implements SpacePicture {
     for (const layer of Object.values(this.layers)) layer.dispose();
     this.faces.dispose();
     this.mesh.dispose();
+    this.protection.dispose();
     this.glyphs.texture.dispose();
     this.renderer.dispose();
-    this.viewListeners.clear();
+    this.camera.dispose();
     this.scaleListeners.clear();
   }
 
   private readonly onRestored = () => {
     this.mesh.clear();
+    this.protection.clear();
     this.stale = { ...everything };
     this.invalidate();
   };
@@ -409,26 +392,21 @@ export class CanvasSpacePicture implements SpacePicture {
 
   private draw(): void {
     if (this.disposed) return;
-    if (this.flight) {
-      const t = Math.min(1, (performance.now() - this.flight.start) / FLIGHT_MS);
-      this.view =
-        t === 1 ? this.flight.to : between(this.flight.from, this.flight.to, t * t * (3 - 2 * t));
-      if (t === 1) this.flight = null;
-      for (const listener of this.viewListeners) listener(this.view);
-    }
+    const isFlying = this.camera.fly();
     this.prepare();
     const [r, g, b] = parseColor(this.theme.background);
     this.renderer.setClearColor(
       (Math.round(r * 255) << 16) | (Math.round(g * 255) << 8) | Math.round(b * 255),
       1,
     );
-    this.renderer.render(this.three, this.camera);
-    if (this.flight) this.invalidate();
+    this.renderer.render(this.three, this.eye);
+    if (isFlying) this.invalidate();
   }
 
   /** Brings the buffers up to what was set, and no further. */
   private prepare(): void {
-    const { stale, state, view, size, theme, spaceLook } = this;
+    const { stale, state, theme, spaceLook } = this;
+    const { view, size } = this.camera;
     this.includeVertices();
     const bounds = this.contents();
     if (!serves3(this.window, view, bounds)) {
@@ -448,6 +426,7 @@ export class CanvasSpacePicture implements SpacePicture {
     const look: MeshLook = { theme, look: spaceLook, coloring, plane, window };
     if (stale.rows) {
       this.mesh.clear();
+      this.protection.clear();
       stale.cells = true;
     }
     if (stale.look || stale.rows) this.mesh.setLook(look);
@@ -458,6 +437,7 @@ export class CanvasSpacePicture implements SpacePicture {
     }
     if (state && spaceLook.cells && stale.cells) this.mesh.setCells(state, look);
     this.mesh.show(state !== null, spaceLook);
+    this.prepareProtection();
     if (stale.complex) this.prepareComplex();
     if (stale.complex || stale.look) this.showFaces();
     if (stale.moment || stale.complex) this.prepareMoment();
@@ -475,11 +455,22 @@ export class CanvasSpacePicture implements SpacePicture {
     });
   }
 
+  private prepareProtection(): void {
+    const { stale, state, spaceLook, theme, window, complex } = this;
+    const wanted = spaceLook.collars || spaceLook.surfaces;
+    if (state && wanted && (stale.mesh || stale.rows || stale.protection)) {
+      const region = this.region?.() ?? noRegion;
+      this.protection.sync(state, region, { theme, look: spaceLook, window, complex });
+    }
+    stale.protection = !wanted;
+    this.protection.show(state !== null, spaceLook);
+  }
+
   private prepareComplex(): void {
-    const { complex, theme, window, faces, triangles, view } = this;
+    const { complex, theme, window, faces, triangles } = this;
     const meshed = this.state !== null;
     const items = complex ? complexItems3(complex, theme, meshed) : noSpaceItems();
-    this.layers.input.set(items, window, view.scale);
+    this.layers.input.set(items, window, this.camera.view.scale);
     const color = rgbaOf(faceColor(theme));
     faces.reserve(triangles.length / 4);
     let row = 0;
@@ -507,80 +498,24 @@ export class CanvasSpacePicture implements SpacePicture {
   }
 
   private prepareMoment(): void {
-    const { moment, state, theme, window, view, complex } = this;
+    const { moment, state, theme, window, complex, picked } = this;
+    const { scale } = this.camera.view;
     const under = moment && state ? momentUnder3(moment, state, theme) : noSpaceItems();
     const hides = this.spaceLook.faces === 'solid' || this.spaceLook.cells;
     const over = moment && state ? momentOver3(moment, state, theme, hides) : noSpaceItems();
     if (complex && this.defects.length > 0)
       append(over, defectItems3(complex, this.triangles, this.defects, theme));
-    append(over, this.pickedItems());
-    append(over, this.labels());
+    append(over, pickedItems3(picked, state, complex, theme));
+    if (this.spaceLook.labels) append(over, labelItems3(state, complex, theme));
     if (this.extras) append(over, this.extras);
-    this.layers.under.set(under, window, view.scale);
-    this.layers.over.set(over, window, view.scale);
-  }
-
-  /** What is picked: outlined in the color of a selection. */
-  private pickedItems(): SpaceItems {
-    const items = noSpaceItems();
-    const { picked, state, complex, theme } = this;
-    if (!picked) return items;
-    const color = theme.selection;
-    const at = (v: number): Point3 | undefined =>
-      state && v < state.vertexCount ? place(state, v) : complex?.vertices[v];
-    const points = (list: Iterable<number>) =>
-      [...list].map(at).filter((p): p is Point3 => p !== undefined);
-    const outline = (corners: readonly Point3[]) => {
-      for (const [a, b] of edgesOf(corners)) items.lines.push({ a, b, color, width: 2.6 });
-    };
-    if (picked.vertex !== null) {
-      for (const p of points([picked.vertex]))
-        items.marks.push({ at: p, shape: 'disc', size: 17, stroke: color, width: 2.6 });
-    } else if (picked.subsegment !== null) {
-      const n = picked.subsegment;
-      const ends = state
-        ? state.subsegments.subarray(3 * n, 3 * n + 2)
-        : (complex?.segments[n] ?? []);
-      for (const [a, b] of edgesOf(points(ends)))
-        items.lines.push({ a, b, color, width: 8, opacity: 0.55 });
-    } else if (picked.cell !== null && state) {
-      outline(points(state.cells.subarray(4 * picked.cell, 4 * picked.cell + 4)));
-    } else if (picked.facet !== null && state?.facets) {
-      const n = picked.facet;
-      outline(points(state.facets.triangles.subarray(4 * n, 4 * n + 3)));
-    }
-    if (picked.face !== null) {
-      for (const loop of complex?.faces[picked.face]?.loops ?? []) {
-        const corners = points(loop);
-        for (const [i, a] of corners.entries()) {
-          const b = corners[(i + 1) % corners.length]!;
-          items.lines.push({ a, b, color, width: 3, opacity: 0.8 });
-        }
-      }
-    }
-    return items;
-  }
-
-  private labels(): SpaceItems {
-    const items = noSpaceItems();
-    const { state, complex, theme } = this;
-    if (!this.spaceLook.labels) return items;
-    const count = state ? state.vertexCount : (complex?.vertices.length ?? 0);
-    let left = MOST_LABELS;
-    for (let v = 0; v < count && left > 0; v++) {
-      if (state && !(state.vertexBorn[v]! < state.position)) continue;
-      const at = state ? place(state, v) : complex!.vertices[v]!;
-      const text = { text: String(v), size: 12, color: theme.ink, halo: theme.background };
-      items.texts.push({ at, ...text, dx: 0, dy: 8 });
-      left--;
-    }
-    return items;
+    this.layers.under.set(under, window, scale);
+    this.layers.over.set(over, window, scale);
   }
 
   /** Vertices get smaller where they would crowd. */
   private markSize(): number {
     if (this.spacing === 0) return 1;
-    return Math.min(1, Math.max(0.35, (this.spacing * this.view.scale) / 16));
+    return Math.min(1, Math.max(0.35, (this.spacing * this.camera.view.scale) / 16));
   }
 
   private includeVertices(): void {
@@ -596,9 +531,10 @@ export class CanvasSpacePicture implements SpacePicture {
   /** World units that what there is reaches before or behind the target. */
   private depth(bounds: Bounds3 | null): number {
     if (!bounds) return 1;
-    const { toEye } = basisOf(this.view);
-    const depths = cornersOf(bounds).map((p) => Math.abs(dot(toEye, minus(p, this.view.target))));
-    return 1.02 * Math.max(...depths) + 30 / this.view.scale;
+    const { view } = this.camera;
+    const { toEye } = basisOf(view);
+    const depths = cornersOf(bounds).map((p) => Math.abs(dot(toEye, minus(p, view.target))));
+    return 1.02 * Math.max(...depths) + 30 / view.scale;
   }
 
   private tellScale(): void {
@@ -632,17 +568,4 @@ function meanLength(
     count++;
   }
   return count > 0 ? sum / count : 0;
-}
-
-function isSame(a: SpaceView, b: SpaceView): boolean {
-  const drift = distance3(a.target, b.target) * a.scale;
-  return drift < 1 && Math.abs(a.scale / b.scale - 1) < 1e-3;
-}
-
-function append(to: SpaceItems, from: SpaceItems): void {
-  to.triangles.push(...from.triangles);
-  to.spheres.push(...from.spheres);
-  to.lines.push(...from.lines);
-  to.marks.push(...from.marks);
-  to.texts.push(...from.texts);
 }

@@ -3,6 +3,7 @@
  * core; numbers of vertices, cells, facets and subsegments are those of the trace (shared/types.ts).
  */
 
+import type { CollarRegion } from '../replay/collar-region';
 import type {
   Background,
   ColorMode,
@@ -48,6 +49,8 @@ export interface SpaceLook {
   readonly cells: boolean;
   readonly outside: boolean; // cells outside the domain
   readonly vertices: boolean; // Steiner vertices
+  readonly collars: boolean; // collar segments and arcs, and what lies between them and the segments
+  readonly surfaces: boolean; // spheres and tubes that protect
   readonly labels: boolean; // numbers of vertices, where there is room
   readonly clip: ClipLook | null;
   readonly shrink: number; // 0 to 1: cells drawn towards their centroids, an exploded view
@@ -64,6 +67,8 @@ export const defaultLook: SpaceLook = {
   cells: false,
   outside: false,
   vertices: true,
+  collars: true,
+  surfaces: true,
   labels: false,
   clip: null,
   shrink: 0,
@@ -100,7 +105,12 @@ export interface SpacePicture {
     defects: readonly DefectMark[],
   ): void;
   /** Null: no mesh is shown. `run` tells runs apart: numbers name the same things as long as it is the same object. */
-  setMesh(state: MeshState | null, run: object | null): void;
+  setMesh(
+    state: MeshState | null,
+    run: object | null,
+    /** Of the same state; asked for when it is drawn. */
+    region?: (() => CollarRegion) | null,
+  ): void;
   setMoment(moment: Moment3 | null): void;
   setLook(look: SpaceLook): void;
   setPicked(hit: SpaceHit | null): void;
@@ -122,6 +132,8 @@ export interface SpacePicture {
   orbitBy(dx: number, dy: number): void; // CSS pixels of a drag
   /** Turns nothing, and brings what the moment is about into sight, large. False if it is about no place. */
   lookAtMoment(): boolean;
+  /** The same of some places. */
+  lookAt(places: readonly Point3[]): boolean;
   /** Brings a place to the center of the canvas. */
   centerOn(at: Point3): void;
   toScreen(p: Point3): Point;

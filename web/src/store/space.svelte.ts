@@ -64,14 +64,17 @@ export class SpaceSettings {
   /** From a link: what is not as it should be stays as at a first visit. */
   adopt(shared: SharedLook): void {
     const { faces, clip, shrink, color } = shared;
-    const flag = (name: 'facets' | 'cells' | 'outside' | 'vertices' | 'labels') =>
-      typeof shared[name] === 'boolean' ? shared[name] : defaultLook[name];
+    const flag = (
+      name: 'facets' | 'cells' | 'outside' | 'vertices' | 'collars' | 'surfaces' | 'labels',
+    ) => (typeof shared[name] === 'boolean' ? shared[name] : defaultLook[name]);
     this.look = {
       faces: faces === 'solid' || faces === 'hidden' ? faces : 'translucent',
       facets: flag('facets'),
       cells: flag('cells'),
       outside: flag('outside'),
       vertices: flag('vertices'),
+      collars: flag('collars'),
+      surfaces: flag('surfaces'),
       labels: flag('labels'),
       clip: isClip(clip) ? clip : null,
       shrink: typeof shrink === 'number' && shrink >= 0 && shrink <= 1 ? shrink : 0,
