@@ -132,7 +132,8 @@ class PrepareSegments final : public Stage3 {
   void cut(Workspace3& w, std::uint32_t segment) {
     const SubsegmentId whole(segment);
     if (!w.live.subsegment(whole).alive) return;  // given twice
-    const auto [a, b] = w.live.complex().segments[segment];
+    const std::uint32_t a = w.live.complex().segments[segment][0];
+    const std::uint32_t b = w.live.complex().segments[segment][1];
     const Point3 p = point(w, VertexId(a)), q = point(w, VertexId(b));
     const double length = distance(p, q);
     std::vector<Point3> at;
