@@ -102,6 +102,10 @@ class View3 {
     return live_.disjoint(live_.feature(p),
                           {FeatureKind::kSegment, live_.subsegment(s).segment.value});
   }
+  /// Whether q is an input vertex, and p lies in an input feature that is disjoint from it.
+  bool is_disjoint_from_input_vertex(VertexId p, VertexId q) const {
+    return live_.is_input_vertex(q) && live_.disjoint(live_.feature(p), live_.feature(q));
+  }
 
   // --- triangles of faces
   /// Squared circumradius; infinite where rounding flattened t.
