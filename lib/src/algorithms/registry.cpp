@@ -239,7 +239,7 @@ std::string default_algorithm(const Complex& complex) {
   // Below 60 degrees nothing is proved of Ruppert's algorithm; a protection comes first where there
   // is one.
   const char* protection = "collar";
-  if (complex.dimension == 3) return "feature-size";  // what the page of space tells about first
+  if (complex.dimension == 3) return protection;  // which is Ruppert's where nothing is acute
   if ((smallest_angle_degrees(complex) >= 60 ||
        find_algorithm(protection, complex.dimension) == nullptr)) {
     return "ruppert";
