@@ -48,6 +48,12 @@ TEST(Registry, JsonHoldsWhatTheRegistryHolds) {
   }
 }
 
+TEST(DefaultAlgorithm, IsCollarInSpace) {
+  Complex complex;
+  complex.dimension = 3;
+  EXPECT_EQ(default_algorithm(complex), "collar");
+}
+
 TEST(DefaultAlgorithm, IsRuppertUnlessAnAngleIsSmall) {
   EXPECT_EQ(default_algorithm(testing::polygon({{0, 0}, {1, 0}, {1, 0.5}})), "collar");
   EXPECT_EQ(default_algorithm(testing::unit_square()), "ruppert");

@@ -65,10 +65,10 @@ struct FeatureSize1b {
 /// stay unacceptable for p. The proof of Theorem 4.1 asks no more of p than to be near.
 ///
 /// Mended, too: a face that touches the input segment of s at one input vertex may come near the
-/// other one, q, at a small angle. It is disjoint from q, so that it counts for lfs(q), but not from
-/// an input feature that contains s: printed, its vertices are no witnesses, and |s| <= 5/3 lfs(s)
-/// fails (2.9 times its bound was seen at one degree). Here whatever is disjoint from an input
-/// vertex is a witness for the end segments at it. They stay longer than lfs(q) / 2.
+/// other one, q, at a small angle. It is disjoint from q, so that it counts for lfs(q), but not
+/// from an input feature that contains s: printed, its vertices are no witnesses, and |s| <= 5/3
+/// lfs(s) fails (2.9 times its bound was seen at one degree). Here whatever is disjoint from an
+/// input vertex is a witness for the end segments at it. They stay longer than lfs(q) / 2.
 struct FeatureSize2b {
   static constexpr bool kFaceTriangles = true;
   static constexpr bool kSpindle = false;
@@ -143,7 +143,8 @@ struct FeatureSize2b {
  private:
   static Verdict witness(const View3& view, SubsegmentId s, VertexId q, VertexId p, double d2) {
     if (view.is_witness(p, s)) return {Reason::kNearWitness, p, std::sqrt(d2)};
-    if (view.is_local_witness(p, s) || view.is_disjoint_from_input_vertex(p, q)) return {Reason::kNearLocalWitness, p, std::sqrt(d2)};
+    if (view.is_local_witness(p, s) || view.is_disjoint_from_input_vertex(p, q))
+      return {Reason::kNearLocalWitness, p, std::sqrt(d2)};
     return {};
   }
 };

@@ -13,10 +13,12 @@
 namespace circumball {
 namespace {
 
-/// (H1) to (H3). End segments at a protected vertex q0 have the length d = lfs(q0) / (2 + c): lfs
-/// is 1-Lipschitz, so that it is at least (1 + c) d on them, and (H2) holds with room to spare; and
-/// where lfs(q0) is the length of a segment that is protected at both ends, the piece between their
-/// tips is just c d long, so that no gap between two circles is narrower than either asks for.
+/// A bound that is to be kept strictly, in parts of it.
+constexpr double kBelow = 1 - 1.0 / (1 << 20);
+
+/// (H1) to (H3). End segments at a protected vertex q0 have the length d = c lfs(q0) / (1 + c), the
+/// longest that (H2) allows: lfs is 1-Lipschitz, so that it is at least lfs(q0) - d = d / c on
+/// them.
 ///
 /// All else of a protected segment is halved until it is shorter than c times its distance from
 /// every feature that does not contain the segment. That bounds mfs_1 from below, and lfs, as of
@@ -113,7 +115,7 @@ class PrepareSegments final : public Stage3 {
 
   void find_radius(const Live3& live, std::uint32_t v) {
     if (!vertices_[v]) return;
-    double d = clearance_->of_vertex(v) / (2 + wanted_.clearance);
+    double d = clearance_->of_vertex(v) * wanted_.clearance / (1 + wanted_.clearance) * kBelow;
     if (wanted_.estimate) {
       const Point3& q0 = live.complex().vertices[v];
       double shortest = HUGE_VAL;

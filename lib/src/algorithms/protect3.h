@@ -22,7 +22,7 @@ struct SegmentSizes {
 
 /// Splits protected segments until (H1) to (H3) hold, each into three pieces at least; of other
 /// segments only the tips at protected vertices are made. Two spheres about ends of a segment, of
-/// the radii of Live3::protection_radius, are at least c / (2 + c) of it apart.
+/// the radii of Live3::protection_radius, are at least (1 - c) / (1 + c) of it apart.
 std::unique_ptr<Stage3> prepare_segments(SegmentSizes sizes = SegmentSizes());
 
 /// Step 2c: collar vertices, `height` times as high as subsegments are long, collar segments and

@@ -6,6 +6,14 @@
 #include "complex/solid_domain.h"
 
 namespace circumball {
+namespace {
+
+/// Squared half lengths of collar elements, in squared circumradii of an encroached triangle, down
+/// to which they are split for it. Two faces at an angle of theta at a vertex ask for lengths of 2
+/// theta radii.
+constexpr double kShortest2 = 1.0 / (1 << 24);
+
+}  // namespace
 
 bool SolidView::is_in_face(const FaceTriangle& t) const {
   if (known_.size() < live_.face_count()) known_.resize(live_.face_count());
@@ -32,20 +40,46 @@ void SolidView::propose_collar_elements(const FaceTriangle& t) {
   triangles_.clear();
   const FaceRefinement& face = live_.face(t.face);
   const Delaunay2& dt = face.triangulation();
-  const double least2 = squared_circumradius(t) / (1024.0 * 1024.0);
-  const auto find_at = [&](TriangleId u) {
+  const auto for_each_element = [&](TriangleId u, auto f) {
     if (dt.is_ghost(u)) return;
     const auto& v = dt.triangle(u).v;
     for (unsigned i = 0; i < 3; ++i) {
       const SubsegmentId s =
           live_.subsegment_between(face.global(v[i]), face.global(v[(i + 1) % 3]));
-      if (!s.valid() || live_.subsegment(s).face != t.face) continue;
-      if (squared_length(s) > least2) segments_.push_back(s);
+      if (s.valid() && live_.subsegment(s).face == t.face) f(s);
     }
   };
-  find_at(t.id);
-  if (!segments_.empty()) return;
-  for (unsigned i = 0; i < 3; ++i) find_at(dt.twin(4 * t.id + i) / 4);
+  const auto for_each_near = [&](TriangleId u, auto f) {
+    for_each_element(u, f);
+    for (unsigned i = 0; i < 3; ++i) for_each_element(dt.twin(4 * u + i) / 4, f);
+  };
+  const double radius2 = squared_circumradius(t);
+
+  // The counterpart of where the vertex is.
+  const VertexId witness = encroachment(t).witness;
+  if (witness.valid()) {
+    const Point2 p = face.plane().to_plane(dt_.point(witness));
+    SubsegmentId best;
+    double least = 1;
+    for_each_near(dt.locate(p, t.id), [&](SubsegmentId s) {
+      const Subsegment& u = live_.subsegment(s);
+      const Point2 a = face.point(live_.local(u.a, t.face)),
+                   b = face.point(live_.local(u.b, t.face));
+      const double x = p.x - 0.5 * (a.x + b.x), y = p.y - 0.5 * (a.y + b.y);
+      const double half2 = 0.25 * squared_length(s);
+      const double part = (x * x + y * y) / half2;
+      if (part < least && half2 > radius2 * kShortest2) {
+        least = part;
+        best = s;
+      }
+    });
+    if (best.valid()) return segments_.push_back(best);
+  }
+  const auto find = [&](SubsegmentId s) {
+    if (16 * squared_length(s) > radius2) segments_.push_back(s);
+  };
+  for_each_element(t.id, find);
+  if (segments_.empty()) for_each_near(t.id, find);
 }
 
 bool SolidView::leave_out_protected() {

@@ -88,8 +88,10 @@ class SolidView : public View3 {
   /// The same, where v is new and all else is known.
   Verdict encroached_by(const FaceTriangle& t, VertexId v) const;
   bool is_in_collar(const FaceTriangle& t) const { return live_.is_in_collar(t); }
-  /// Finds the collar elements that bound a triangle of a collar: its edges, or where none is one,
-  /// those of the triangles beside it. Not those that are short beside it already.
+  /// Finds what is to be split for an encroached triangle of a collar, so that collars line up: the
+  /// collar element in whose disk the projection of the encroaching vertex lies, the counterpart of
+  /// what that vertex split in another face. Where there is none, the collar elements at the
+  /// triangle, or those at the triangles beside it, but for those that are short beside it already.
   void propose_collar_elements(const FaceTriangle& t);
   /// Leaves out what collar simplices are: protected subsegments and triangles of collars. Returns
   /// whether there were some.
