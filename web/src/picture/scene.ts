@@ -32,6 +32,7 @@ import {
   ancestryItems,
   ballItems,
   collarItems,
+  faceCollarItems,
   fieldItems,
   intestineItems,
   neighborItems,
@@ -196,6 +197,7 @@ export class Scene {
       append(over, items.over);
     };
     if (overlays.intestines && this.meshed) append(under, intestineItems(facts.intestines, look));
+    if (facts.faceCollar && this.meshed) append(under, faceCollarItems(facts.faceCollar, look));
     if (overlays.collars && this.meshed) append(under, collarItems(facts.collars, look));
     if (overlays.neighbors && this.meshed) add(neighborItems(facts.neighbors, look));
     if (overlays.spindles && this.meshed && facts.spindle) add(spindleItems(facts.spindle, look));

@@ -1,3 +1,4 @@
+import type { FaceCollar, Pair } from '../shared/overlay-facts.ts';
 import {
   type Complex2,
   type Complex3,
@@ -10,7 +11,9 @@ import {
   NEVER,
   type Point,
   type Point3,
+  Protecting,
 } from '../shared/types.ts';
+import type { CollarRegion } from './collar-region.ts';
 import { Kind, NONE } from './event.ts';
 import { type FacePlane, heightOver, toPlane } from './face-plane.ts';
 import { type Ball3, centroid, point3 } from './geometry3.ts';
@@ -133,6 +136,35 @@ export class FaceReplay {
     };
   }
 
+  /** What of the collars of a state in space lies in the face. */
+  collar(state: MeshState, region: CollarRegion): FaceCollar | null {
+    const { protection, facets } = state;
+    if (!protection || !facets || protection.liveCount === 0) return null;
+    this.update();
+    const found = {
+      triangles: region.facets
+        .filter((n) => facets.triangles[4 * n + 3] === this.face)
+        .map((n) => Array.from(facets.triangles.subarray(4 * n, 4 * n + 3))),
+      pieces: [] as Pair[],
+      segments: [] as Pair[],
+      arcs: [] as { center: number; ends: Pair }[],
+    };
+    for (let i = 0; i < protection.liveCount; i++) {
+      const n = protection.live[i]!;
+      const at = 4 * n;
+      const ends: Pair = [protection.elements[at]!, protection.elements[at + 1]!];
+      const carrier = protection.elements[at + 3]!;
+      const kind = protection.kind[n];
+      if (kind === Protecting.subsegment) {
+        if (this.own.has(carrier)) found.pieces.push(ends);
+      } else if (carrier !== this.face) continue;
+      else if (kind === Protecting.collarSegment) found.segments.push(ends);
+      else if (kind === Protecting.collarArc)
+        found.arcs.push({ center: protection.elements[at + 2]!, ends });
+    }
+    return found;
+  }
+
   /** What event i changed in the face, for the motion; null if nothing. */
   change(i: number, forward: boolean): MeshChange | null {
     this.update();
@@ -150,7 +182,7 @@ export class FaceReplay {
   /** The moment of a position as far as it is about what lies in this face; null if nothing of it is. */
   moment(moment: Moment3, position: number): Moment | null {
     const { simplex, witness, vertex, ghost, ball } = moment;
-    if (moment.kind === 'face-changed')
+    if (moment.kind === 'face-changed' || moment.kind === 'protection')
       return moment.face === this.face ? this.follows(moment, position) : null;
     const inFace = simplex.length <= 3 && simplex.length > 0 && simplex.every((v) => this.has(v));
     const acts = inFace && (simplex.length < 3 || moment.face === this.face);
@@ -186,7 +218,7 @@ export class FaceReplay {
   private follows(moment: Moment3, position: number): Moment {
     const { trace } = this;
     let i = position - 2;
-    while (i >= 0 && trace.kind(i) === Kind.faceChanged) i--;
+    while (i >= 0 && (trace.kind(i) === Kind.faceChanged || trace.kind(i) === Kind.protection)) i--;
     const vertex = i >= 0 && trace.kind(i) === Kind.inserted ? trace.event(i).subject : null;
     return {
       dimension: 2,

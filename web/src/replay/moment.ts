@@ -5,6 +5,7 @@ import {
   type MomentKind,
   type Point,
   type Point3,
+  Protecting,
   type RuleName,
 } from '../shared/types.ts';
 import { collarRegionAt } from './collar-region.ts';
@@ -60,7 +61,7 @@ export function momentAt(
   } as const;
   if (trace.dimension === 3) {
     const corners = known.map((v) => point3(xyz, v));
-    const face = e.kind === Kind.faceChanged ? e.subject : e.face;
+    const face = e.kind === Kind.faceChanged ? e.subject : faceOf(replay, e);
     return {
       ...words,
       dimension: 3,
@@ -79,6 +80,18 @@ export function momentAt(
     ball: acting ? ballOf(e, corners, trace.input.vertexCount) : null,
     ghost: hasGhost ? e.at : null,
   };
+}
+
+/** The face that an event is about: of a triangle, of a collar vertex, of collar elements. */
+function faceOf({ trace }: Replay, e: TraceEvent): number {
+  const { protecting } = trace;
+  if (e.face !== NONE || !protecting) return e.face;
+  const collar = e.dimension === 1 && e.segment === NONE ? protecting.find(e.simplex) : -1;
+  const [changed = -1] = e.kind === Kind.protection ? protecting.lives.changed(e.index).born : [];
+  const number = collar >= 0 ? collar : changed;
+  if (number < 0) return NONE;
+  const { kind, carrier } = protecting.element(number);
+  return kind === Protecting.collarSegment || kind === Protecting.collarArc ? carrier : NONE;
 }
 
 /** A vertex is unacceptably near to a Delaunay neighbor of it (thesis, sections 4.2 and 4.3). */

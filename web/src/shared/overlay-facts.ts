@@ -79,6 +79,14 @@ export interface AncestryLink {
   readonly parent: number;
 }
 
+/** The collar in one face of a run in space (thesis, Table 6.1). */
+export interface FaceCollar {
+  readonly triangles: readonly (readonly number[])[]; // that belong to it, by vertices
+  readonly pieces: readonly Pair[]; // of segments, protected
+  readonly segments: readonly Pair[];
+  readonly arcs: readonly { readonly center: number; readonly ends: Pair }[];
+}
+
 export interface OverlayFacts {
   readonly field: FeatureField | null;
   readonly ball: FeatureBall | null;
@@ -87,6 +95,7 @@ export interface OverlayFacts {
   readonly collars: readonly CollarSimplex[];
   readonly intestines: readonly Intestine[];
   readonly ancestry: readonly AncestryLink[];
+  readonly faceCollar?: FaceCollar | null;
 }
 
 export const noFacts: OverlayFacts = {

@@ -1,12 +1,28 @@
 /** What a moment shows in space: the simplex in hand, its ball, its witness, a refused point, where it yields, what was born. */
 
 import { centroid, minus, plus } from '../replay/geometry3';
-import type { MeshState, Moment3, PictureTheme, Point3 } from '../shared/types';
+import {
+  type Complex3,
+  type MeshState,
+  type Moment3,
+  type PictureTheme,
+  type Point3,
+  Protecting,
+} from '../shared/types';
 import { noSpaceItems, type SpaceItems } from './items';
 import { place } from './mesh-layer';
+import { curvePoints, patchCorners } from './protection-geometry';
+
+/** More elements that begin at once are not pointed to. */
+const MOST_ELEMENTS = 200;
 
 /** Beneath the vertices, hidden by what is before it. */
-export function momentUnder3(moment: Moment3, state: MeshState, theme: PictureTheme): SpaceItems {
+export function momentUnder3(
+  moment: Moment3,
+  state: MeshState,
+  theme: PictureTheme,
+  complex: Complex3 | null = null,
+): SpaceItems {
   const items = noSpaceItems();
   const corners = cornersOf(moment.simplex, state);
   if (corners.length >= 3) {
@@ -36,16 +52,34 @@ export function momentUnder3(moment: Moment3, state: MeshState, theme: PictureTh
     items.lines.push({ a, b, color: theme.yielding, width: 6, opacity: 0.5 });
   if (moment.ball)
     items.spheres.push({ ...moment.ball, color: theme.ball, opacity: 0.1, width: 1.5 });
-  const { facets } = state;
+  const { facets, protection } = state;
+  // All that a whole step protects is no news of one place.
+  const born = protection && moment.elements.length <= MOST_ELEMENTS ? moment.elements : [];
+  for (const n of born) {
+    const record = protection!.elements.subarray(4 * n, 4 * n + 4);
+    const at = (v: number) => place(state, v);
+    const kind = protection!.kind[n]!;
+    const color = theme.born;
+    if (kind === Protecting.spherePatch || kind === Protecting.tubePatch) {
+      const patch = patchCorners(kind, record, at, complex);
+      items.triangles.push({ corners: patch, fill: color, opacity: 0.35 });
+      for (const [a, b] of edgesOf(patch)) items.lines.push({ a, b, color, width: 1.6 });
+      continue;
+    }
+    const points = curvePoints(kind, record, at, complex);
+    for (let i = 1; i < points.length; i++)
+      items.lines.push({ a: points[i - 1]!, b: points[i]!, color, width: 4.5 });
+  }
   for (const n of facets ? moment.facets : []) {
-    const born = cornersOf(facets!.triangles.subarray(4 * n, 4 * n + 3), state);
-    if (born.length < 3) continue;
+    const corners = cornersOf(facets!.triangles.subarray(4 * n, 4 * n + 3), state);
+    if (corners.length < 3) continue;
     items.triangles.push({
-      corners: born as unknown as [Point3, Point3, Point3],
+      corners: corners as unknown as [Point3, Point3, Point3],
       fill: theme.born,
       opacity: theme.dark ? 0.3 : 0.24,
     });
-    for (const [a, b] of edgesOf(born)) items.lines.push({ a, b, color: theme.born, width: 1.6 });
+    for (const [a, b] of edgesOf(corners))
+      items.lines.push({ a, b, color: theme.born, width: 1.6 });
   }
   return items;
 }
@@ -101,12 +135,18 @@ export function momentOver3(
 
 /** Where a moment takes place. */
 export function placesOf(moment: Moment3, state: MeshState): Point3[] {
-  const { simplex, witness, near, vertex, yieldTo, ball, ghost, facets } = moment;
+  const { simplex, witness, near, vertex, yieldTo, ball, ghost, facets, elements } = moment;
+  const drawn =
+    elements.length <= MOST_ELEMENTS && state.protection
+      ? Array.from(elements).flatMap((n) => [
+          ...state.protection!.elements.subarray(4 * n, 4 * n + 2),
+        ])
+      : [];
   const born = state.facets
     ? Array.from(facets).flatMap((n) => [...state.facets!.triangles.subarray(4 * n, 4 * n + 3)])
     : [];
   const named = [witness, near, vertex].filter((v) => v !== null);
-  const places = cornersOf([...simplex, ...named, ...(yieldTo ?? []), ...born], state);
+  const places = cornersOf([...simplex, ...named, ...(yieldTo ?? []), ...born, ...drawn], state);
   if (ghost) places.push(ghost);
   if (ball) {
     const { center, radius } = ball;

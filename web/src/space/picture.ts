@@ -500,7 +500,7 @@ export class CanvasSpacePicture implements SpacePicture {
   private prepareMoment(): void {
     const { moment, state, theme, window, complex, picked } = this;
     const { scale } = this.camera.view;
-    const under = moment && state ? momentUnder3(moment, state, theme) : noSpaceItems();
+    const under = moment && state ? momentUnder3(moment, state, theme, complex) : noSpaceItems();
     const hides = this.spaceLook.faces === 'solid' || this.spaceLook.cells;
     const over = moment && state ? momentOver3(moment, state, theme, hides) : noSpaceItems();
     if (complex && this.defects.length > 0)

@@ -1,6 +1,7 @@
 import type { RunOptions } from 'circumball';
 import { inputFromJson } from '../core/complex-json.ts';
 import { fromHash, toHash } from '../link/link.ts';
+import { bands } from '../replay/timeline.ts';
 import { texts } from '../texts.ts';
 import type { App } from './app.svelte.ts';
 import { type Example, examples, load } from './examples.ts';
@@ -40,7 +41,8 @@ async function follow(app: App): Promise<boolean> {
       history.replaceState(null, '', location.pathname + location.search);
       await app.begin();
       if (short.function !== null) measure(app, short.function);
-      await openExample(app, short.example, { compare: short.compare });
+      await openExample(app, short.example, { compare: short.compare, step: short.step });
+      if (short.face !== null) app.face.show(short.face);
       return true;
     }
     const shared = fromHash(location.hash);
@@ -56,27 +58,43 @@ async function follow(app: App): Promise<boolean> {
   }
 }
 
+interface Words {
+  readonly example: Example;
+  readonly compare: RunOptions | null;
+  readonly function: string | null;
+  readonly step: string | null;
+  readonly face: number | null;
+}
+
 /**
- * A link that can be written by hand: "#example=fan", "#example=fan&compare=collar", "#example=unit-square&function=smooth". Null: the address is none;
- * throws a sentence if it names what there is not.
+ * A link that can be written by hand: "#example=fan", "#example=fan&compare=collar", "#example=unit-square&function=smooth",
+ * "#example=pyramid&algorithm=collar&step=2c&face=0". Null: the address is none; throws a sentence if it names what there is not.
  */
-function fromWords(
-  hash: string,
-): { example: Example; compare: RunOptions | null; function: string | null } | null {
+function fromWords(hash: string): Words | null {
   const words = new URLSearchParams(hash.slice(1));
   const id = words.get('example');
   if (id === null) return null;
-  const example = examples.find((e) => e.id === id);
-  if (!example) throw new Error(texts.open.noExample(id));
-  const algorithm = words.get('compare');
-  const measured = words.get('function');
-  if (algorithm === null) return { example, compare: null, function: measured };
-  // Where the gallery has the same input under that algorithm, it knows the parameters to use.
+  const known = examples.find((e) => e.id === id);
+  if (!known) throw new Error(texts.open.noExample(id));
+  const algorithm = words.get('algorithm');
+  const example = algorithm === null ? known : { ...known, options: optionsFor(known, algorithm) };
+  const beside = words.get('compare');
+  const face = Number.parseInt(words.get('face') ?? '', 10);
+  return {
+    example,
+    compare: beside === null ? null : optionsFor(known, beside),
+    function: words.get('function'),
+    step: words.get('step'),
+    face: Number.isNaN(face) ? null : face,
+  };
+}
+
+/** Where the gallery has the same input under an algorithm, it knows the parameters to use. */
+function optionsFor(example: Example, algorithm: string): RunOptions {
   const known = examples.find(
     (e) => e.files[0] === example.files[0] && e.options.algorithm === algorithm,
   );
-  const compare = known?.options ?? { ...example.options, algorithm };
-  return { example, compare, function: measured };
+  return known?.options ?? { ...example.options, algorithm };
 }
 
 /** Shows the error of a function of the core's list, by its id. */
@@ -90,7 +108,11 @@ function measure(app: App, id: string): void {
 export async function openExample(
   app: App,
   example: Example,
-  { first = false, compare = null }: { first?: boolean; compare?: RunOptions | null } = {},
+  {
+    first = false,
+    compare = null,
+    step = null,
+  }: { first?: boolean; compare?: RunOptions | null; step?: string | null } = {},
 ): Promise<void> {
   const answer = await app.core.read(await load(example));
   if (!answer.complex) {
@@ -105,13 +127,22 @@ export async function openExample(
   const { reducedMotion } = app.settings;
   const unseen = document.visibilityState === 'hidden' || app.dialog !== null;
   app.numerics.leave();
-  if (app.algorithms.length > 0) await app.refine({ play: !reducedMotion && !unseen && !numerics });
+  const plays = !reducedMotion && !unseen && !numerics && step === null;
+  if (app.algorithms.length > 0) await app.refine({ play: plays });
+  if (step !== null) toEndOf(app, step);
   if (numerics && app.doc.title === example.title) {
     app.numerics.adopt(numerics); // after the run, as in a link
     measure(app, numerics.function);
   }
   if (first && app.doc.title === example.title)
     app.announcement = `${example.title}. ${example.text}`;
+}
+
+/** The moment at which a step has ended; at the end if there is no such step. */
+function toEndOf(app: App, step: string): void {
+  const { trace } = app.first.run;
+  const ended = trace && bands(trace).find((band) => band.name === step);
+  if (ended) app.seekMoment(ended.end);
 }
 
 function read() {

@@ -6,6 +6,7 @@
 import type {
   AncestryLink,
   CollarSimplex,
+  FaceCollar,
   FeatureBall,
   FeatureField,
   Intestine,
@@ -300,6 +301,35 @@ export function ancestryItems(
   const root = links.length > 0 ? place(links.at(-1)!.parent) : null;
   if (root) {
     items.marks.push({ at: root, shape: 'disc', size: 17, stroke: theme.ancestry, width: 2.6 });
+  }
+  return items;
+}
+
+/** The collar of one face: its triangles shaded, what bounds it in its color, arcs as arcs; protected pieces of segments as bands. */
+export function faceCollarItems(
+  { triangles, pieces, segments, arcs }: FaceCollar,
+  { theme, pixel, place }: OverlayLook,
+): Items {
+  const items = noItems();
+  const color = theme.collar;
+  for (const corners of triangles) {
+    const points = corners.map(place).filter((p): p is Point => p !== null);
+    if (points.length === 3)
+      items.polygons.push({ points, fill: color, opacity: theme.dark ? 0.3 : 0.22 });
+  }
+  const line = (a: Point | null, b: Point | null, width: number, opacity = 1) => {
+    if (a && b) items.lines.push({ a, b, color, width, opacity });
+  };
+  for (const [a, b] of pieces) line(place(a), place(b), 9, 0.35);
+  for (const [a, b] of segments) line(place(a), place(b), 2.4);
+  for (const { center, ends } of arcs) {
+    const [c, a, b] = [place(center), place(ends[0]), place(ends[1])];
+    if (!c || !a || !b) continue;
+    // The shorter way around.
+    const turns = (a[0] - c[0]) * (b[1] - c[1]) > (a[1] - c[1]) * (b[0] - c[0]);
+    const radius = Math.hypot(a[0] - c[0], a[1] - c[1]);
+    const points = arcPoints(c, radius, turns ? a : b, turns ? b : a, pixel);
+    for (let i = 1; i < points.length; ++i) line(points[i - 1]!, points[i]!, 2.4);
   }
   return items;
 }
