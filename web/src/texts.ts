@@ -58,6 +58,8 @@ export const texts = {
       cells: 'Tetrahedra',
       outside: 'Outside the domain',
       vertices: 'Steiner vertices',
+      collars: 'Collars',
+      surfaces: 'Spheres and tubes',
       labels: 'Vertex numbers',
     },
     shrink: 'Take apart',
@@ -76,6 +78,25 @@ export const texts = {
     },
     close: 'Close, back to the drawing',
     noAlgorithm: 'This version has no algorithm for space.',
+  },
+  /** What protects acute features in space (thesis, chapter 6). */
+  protection: {
+    row: 'protection',
+    inCollar: 'in the collar: never split',
+    beyond: 'beyond the collars',
+    piece: 'never split any more',
+    ordinary: 'none: split where it is encroached',
+    about: (n: number) => `${formatCount(n)} arcs or patches about it`,
+    refused: 'not split, as',
+    stopped: 'circumcenter',
+    stoppers: (name: string, others: number) =>
+      `in the ball of ${name}, a collar simplex${others === 0 ? '' : `, and of ${formatCount(others)} more`} (Theorem 6.11)`,
+    free: 'in no ball of a collar simplex',
+    legend: {
+      collar: 'Collar: its triangles, segments and arcs',
+      piece: 'Protected piece of a segment',
+      surface: 'Sphere or tube that protects',
+    },
   },
   /** Feature sizes of a subsegment in space. */
   sizes: {

@@ -76,6 +76,12 @@ export function circumball(corners: readonly Point3[]): Ball3 | null {
   return Number.isFinite(radius) ? { center: plus(a, offset), radius } : null;
 }
 
+/** Two opposite corners of the box about a ball. */
+export function extremesOf({ center, radius }: Ball3): Point3[] {
+  const reach: Point3 = [radius, radius, radius];
+  return [plus(center, reach), plus(center, reach, -1)];
+}
+
 export function scaled(a: Point3, factor: number): Point3 {
   return [a[0] * factor, a[1] * factor, a[2] * factor];
 }

@@ -1,4 +1,4 @@
-import { Protecting } from '../shared/types.ts';
+import { NEVER, Protecting } from '../shared/types.ts';
 import { NONE } from './event.ts';
 import { ascending, Lives, type Record4 } from './lives.ts';
 import { SimplexTable } from './simplex-table.ts';
@@ -18,11 +18,14 @@ export const ELEMENT_NUMBERS = 5;
 export class ProtectingLives {
   /** Four numbers an element: a, b, c and its carrier; the label is its kind. */
   readonly lives = new Lives(4);
+  /** By kind, the event that made the first one. */
+  readonly firstOfKind: number[] = Object.values(Protecting).map(() => NEVER);
   private readonly byVertices = new SimplexTable();
 
   bear(stream: Uint32Array, at: number, event: number): void {
     const [a, b, c, carrier, kind] = recordAt(stream, at);
     const number = this.lives.count;
+    if (this.firstOfKind[kind] === NEVER) this.firstOfKind[kind] = event;
     this.lives.bear([a, b, c, carrier], keyOf(a, b, c, carrier, kind), kind, event);
     const [p, q, r] = ascending(a, b, isPatch(kind) ? c : NONE, NONE);
     this.byVertices.set(p, q, r, number);

@@ -39,6 +39,12 @@ export class Replay {
       : { died: born, born: died, vertex: landed, forward };
   }
 
+  /** The kinds of protecting elements that have begun at a position. */
+  protectingKinds(position: number): Set<number> {
+    const first = this.trace.protecting?.firstOfKind ?? [];
+    return new Set(first.flatMap((event, kind) => (event < position ? [kind] : [])));
+  }
+
   state(): MeshState {
     const t = this.trace;
     const subsegments = new Uint32Array(t.subsegmentCount);

@@ -197,7 +197,8 @@ function collarVertex(e: TraceEvent, radius: string): string {
   return `Rule 1: vertex ${e.subject} is inserted${where} straight across from vertex ${e.across} of a segment, at 0.6 of the longer subsegment there.${radius}`;
 }
 
-function refusal(e: TraceEvent, dimension: 2 | 3): string {
+/** Why Safety refused, as the end of a sentence. */
+export function refusal(e: TraceEvent, dimension: 2 | 3): string {
   switch (e.reason) {
     case Reason.outsideDomain:
       return 'its circumcenter lies outside the domain';

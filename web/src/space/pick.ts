@@ -162,3 +162,32 @@ function pickSurface(
   }
   return best;
 }
+
+/** What a simplex of the mesh is picked as: a tetrahedron, a triangle of a face, a subsegment or a vertex; null if it is not there. */
+export function findSimplex(state: MeshState, simplex: readonly number[]): SpaceHit | null {
+  const wanted = new Set(simplex);
+  const find = (live: Uint32Array, count: number, all: Uint32Array, stride: number, of: number) => {
+    for (let i = 0; i < count; i++) {
+      const at = stride * live[i]!;
+      let found = true;
+      for (let k = 0; found && k < of; k++) found = wanted.has(all[at + k]!);
+      if (found) return live[i]!;
+    }
+    return null;
+  };
+  const { facets } = state;
+  if (simplex.length === 4) {
+    const cell = find(state.liveCells, state.liveCellCount, state.cells, 4, 4);
+    return cell === null ? null : { ...noHit, cell };
+  }
+  if (simplex.length === 3 && facets) {
+    const facet = find(facets.live, facets.liveCount, facets.triangles, 4, 3);
+    return facet === null ? null : { ...noHit, facet, face: facets.triangles[4 * facet + 3]! };
+  }
+  if (simplex.length === 2) {
+    const { liveSubsegments, liveSubsegmentCount, subsegments } = state;
+    const subsegment = find(liveSubsegments, liveSubsegmentCount, subsegments, 3, 2);
+    return subsegment === null ? null : { ...noHit, subsegment };
+  }
+  return simplex.length === 1 ? { ...noHit, vertex: simplex[0]! } : null;
+}

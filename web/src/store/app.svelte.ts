@@ -4,9 +4,10 @@ import { inputFromJson } from '../core/complex-json.ts';
 import type { Hello } from '../core/worker.ts';
 import type { ComparisonOptions, Shared } from '../link/link.ts';
 import { point } from '../replay/geometry.ts';
-import { centroid, point3 } from '../replay/geometry3.ts';
+import { centroid, extremesOf, point3 } from '../replay/geometry3.ts';
 import { refinedComplex } from '../replay/refined-complex.ts';
 import { emptyComplex, type Input, type Point, type Point3, type View } from '../shared/types.ts';
+import { findSimplex } from '../space/pick.ts';
 import { noHit, type SpaceHit, type SpaceView } from '../space/types.ts';
 import { texts } from '../texts.ts';
 import { asSentence, formatNumber } from '../words.ts';
@@ -366,6 +367,23 @@ export class App {
     }
     const view = this.picture?.getView();
     if (view) this.picture?.setView({ ...view, x, y });
+  }
+
+  /** Picks a simplex that is left unacceptable in space, and brings it and what stops it into sight. False in the plane. */
+  showUnresolved(simplex: readonly number[]): boolean {
+    const { pane } = this;
+    const { trace } = pane.run;
+    const { replay } = pane.playback;
+    if (!trace || !replay || trace.dimension !== 3) return false;
+    this.clock.pause();
+    this.clock.seek(this.clock.length);
+    pane.spacePicked = findSimplex(replay.state(), simplex);
+    const { stops } = pane;
+    const balls = stops ? [stops.ball, ...stops.stoppers.slice(0, 1).map((s) => s.ball)] : [];
+    const places = simplex.map((v) => point3(trace.coordinates.data, v));
+    pane.spacePicture?.lookAt([...places, ...balls.flatMap(extremesOf)]);
+    this.tab = 'why';
+    return true;
   }
 
   /** Brings what was pressed twice to the middle, and turns about it from then on. */

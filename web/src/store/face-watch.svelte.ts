@@ -4,6 +4,7 @@ import { pictureTheme } from '../shared/theme.ts';
 import type { PictureTheme } from '../shared/types.ts';
 import { append, ballItems, chainItems, faceItems } from '../space/face-items.ts';
 import { noSpaceItems, type SpaceItems } from '../space/items.ts';
+import { stopperItems } from '../space/stopper-items.ts';
 import { noHit } from '../space/types.ts';
 import type { App } from './app.svelte.ts';
 
@@ -50,6 +51,10 @@ function extras({ face, first, segment, settings }: App, theme: PictureTheme): S
   if (face.open) append(items, faceItems(refined, face.index, theme));
   const { balls, drawn } = segment;
   const { vertex, subsegment } = first.spacePicked ?? noHit;
+  const { stops } = first;
+  const place = (v: number) => point3(trace.coordinates.data, v);
+  if (stops && stops.stoppers.length > 0)
+    append(items, stopperItems(stops.ball, stops.stoppers, place, theme));
   if (balls && subsegment !== null && balls.subsegment === subsegment) {
     const own = trace.subsegments.at(3 * subsegment + 2);
     if (drawn !== 'lfs') append(items, ballItems(refined, balls.fs1, 'fs1', theme, own));
@@ -57,10 +62,7 @@ function extras({ face, first, segment, settings }: App, theme: PictureTheme): S
   }
   if (vertex !== null && vertex < trace.vertexCount && settings.overlays.ancestry) {
     const chain = first.overlays.ancestry?.chain(vertex) ?? [];
-    append(
-      items,
-      chainItems(chain, (v) => point3(trace.coordinates.data, v), theme),
-    );
+    append(items, chainItems(chain, place, theme));
   }
   return items;
 }

@@ -1,5 +1,8 @@
 import type { CoreClient } from '../core/client.ts';
+import { collarRegionAt } from '../replay/collar-region.ts';
+import { circumball, point3 } from '../replay/geometry3.ts';
 import { findRepetitions, reachesPrecision } from '../replay/repetition.ts';
+import { stoppersOf } from '../replay/stoppers.ts';
 import type { Hit, Picture } from '../shared/types.ts';
 import type { SpaceHit, SpacePicture } from '../space/types.ts';
 import { OverlayStore } from './overlays.svelte.ts';
@@ -26,6 +29,20 @@ export class Pane {
     if (phase !== 'complete') return findRepetitions(trace)[0] ?? null;
     if (!reachesPrecision(trace)) return null;
     return findRepetitions(trace).find((r) => r.exhausted) ?? null;
+  });
+
+  /** Of a picked tetrahedron: its ball, and the collar simplices that stop it (thesis, Theorem 6.11). Null without protection. */
+  readonly stops = $derived.by(() => {
+    const { replay, position } = this.playback;
+    const cell = this.spacePicked?.cell ?? null;
+    void position;
+    if (cell === null || !replay?.trace.protecting?.lives.count) return null;
+    const { trace } = replay;
+    const vertices = trace.cells.data.subarray(4 * cell, 4 * cell + 4);
+    const ball = circumball(Array.from(vertices, (v) => point3(trace.coordinates.data, v)));
+    if (!ball) return null;
+    const state = replay.state();
+    return { ball, stoppers: stoppersOf(state, collarRegionAt(trace, state), ball.center) };
   });
 
   constructor(

@@ -1,9 +1,12 @@
+import { collarRegionAt } from '../replay/collar-region.ts';
 import { NONE } from '../replay/event.ts';
 import { sidesOf } from '../replay/face-replay.ts';
 import { circumball, distance3, point3, shortestEdge } from '../replay/geometry3.ts';
 import { measureTetrahedron } from '../replay/measure.ts';
+import { refusal } from '../replay/sentence.ts';
+import { refusalOf, type Stopper } from '../replay/stoppers.ts';
 import type { Trace } from '../replay/trace.ts';
-import { type Complex3, VertexKind } from '../shared/types.ts';
+import { type Complex3, type MeshState, Protecting, VertexKind } from '../shared/types.ts';
 import type { SpaceHit } from '../space/types.ts';
 import { texts } from '../texts.ts';
 import { formatDegrees, formatNumber } from '../words.ts';
@@ -19,6 +22,58 @@ export function spaceTitle(hit: SpaceHit, trace: Trace | null): string {
   if (hit.cell !== null) return t.tetrahedron;
   if (hit.facet !== null) return t.triangle;
   return hit.face === null ? '' : t.face(hit.face);
+}
+
+/** What protection says of what is picked, at one state of a run that protects: what is in a collar, who was refused and why. */
+export function protectionRows(
+  hit: SpaceHit,
+  trace: Trace,
+  state: MeshState,
+  stoppers: readonly Stopper[] | null,
+): Row[] {
+  const { protecting } = trace;
+  if (!protecting?.lives.count) return [];
+  const p = texts.protection;
+  const rows: Row[] = [];
+  if (hit.facet !== null) {
+    const region = collarRegionAt(trace, state);
+    if (region.facets.length > 0)
+      rows.push([p.row, region.holds[hit.facet] ? p.inCollar : p.beyond]);
+    const corners = trace.facetLives!.vertices.data.subarray(4 * hit.facet, 4 * hit.facet + 3);
+    rows.push(...refusedRow(trace, [...corners]));
+  } else if (hit.subsegment !== null) {
+    const n = 3 * hit.subsegment;
+    const element = protecting.find([...trace.subsegments.data.subarray(n, n + 2)]);
+    const since = element < 0 ? Number.POSITIVE_INFINITY : protecting.lives.born.at(element);
+    rows.push([p.row, since < state.position ? p.piece : p.ordinary]);
+  } else if (hit.vertex !== null) {
+    const vertex = hit.vertex;
+    const around = elementsAbout(vertex, state);
+    if (around.length > 0) rows.push([p.row, p.about(around.length)]);
+  } else if (hit.cell !== null) {
+    rows.push(...refusedRow(trace, [...trace.cells.data.subarray(4 * hit.cell, 4 * hit.cell + 4)]));
+    const [first, ...others] = stoppers ?? [];
+    if (first) rows.push([p.stopped, p.stoppers(first.name, others.length)]);
+    else if (stoppers) rows.push([p.stopped, p.free]);
+  }
+  return rows;
+}
+
+function refusedRow(trace: Trace, simplex: readonly number[]): Row[] {
+  const e = refusalOf(trace, simplex);
+  return e ? [[texts.protection.refused, refusal(e, 3)]] : [];
+}
+
+/** Arcs and patches about an input vertex. */
+function elementsAbout(v: number, { protection }: MeshState): number[] {
+  const found: number[] = [];
+  for (let i = 0; protection && i < protection.liveCount; i++) {
+    const n = protection.live[i]!;
+    const kind = protection.kind[n];
+    const place = kind === Protecting.collarArc ? 2 : kind === Protecting.spherePatch ? 3 : -1;
+    if (place >= 0 && protection.elements[4 * n + place] === v) found.push(n);
+  }
+  return found;
 }
 
 export function spaceRows(hit: SpaceHit, complex: Complex3, trace: Trace | null): Row[] {
