@@ -13,11 +13,15 @@ const index = JSON.parse(readFileSync(`${folder}index.json`, 'utf8')) as {
   file: string;
   dimension?: number;
 }[];
-const ofSpace = new Set(index.filter((e) => e.dimension === 3).map((e) => e.file));
+const listed = new Set(index.filter((e) => e.dimension === 3).map((e) => e.file));
+/** Not all examples are in the gallery; those in the project's own format say their dimension at once. */
+const isOfSpace = (file: string) =>
+  listed.has(file) ||
+  /^.{0,60}"dimension": *3/s.test(readFileSync(folder + file, { encoding: 'utf8' }));
 
 /** Those of the plane. */
 export const exampleFiles = readdirSync(folder).filter(
-  (f) => /\.(json|poly|svg|obj)$/.test(f) && f !== 'index.json' && !ofSpace.has(f),
+  (f) => /\.(json|poly|svg|obj)$/.test(f) && f !== 'index.json' && !isOfSpace(f),
 );
 
 export function readExample(core: CircumballModule, file: string): Complex2 {

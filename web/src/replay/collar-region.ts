@@ -1,4 +1,4 @@
-import { Label, type MeshState, Protecting } from '../shared/types.ts';
+import { Label, type MeshState, NEVER, Protecting } from '../shared/types.ts';
 import { NONE } from './event.ts';
 import { SimplexTable } from './simplex-table.ts';
 import type { Trace } from './trace.ts';
@@ -14,13 +14,13 @@ export const noRegion: CollarRegion = { holds: new Uint8Array(0), facets: [] };
 
 /**
  * As the core tells them apart: from the pieces of segments that are protected, and the input vertices that arcs are about, over all
- * edges but pieces of segments, collar segments and arcs. A face in which one of these is no edge (yet) is left out, and so is all
- * while collars are drawn. O(live triangles of faces).
+ * edges but pieces of segments, collar segments and arcs. A face in which one of these is no edge (yet) is left out, and so is one in
+ * which collars are still drawn. O(live triangles of faces).
  */
 export function collarRegion(trace: Trace, state: MeshState): CollarRegion {
   const { facets, protection } = state;
   if (!facets || !protection || protection.liveCount === 0) return noRegion;
-  if (state.position < drawnAt(trace)) return noRegion;
+  const drawn = drawnBy(trace);
   const { neighbors, edges } = adjacencyOf(facets);
   const barriers = new SimplexTable(); // by ends and face; pieces of segments without one
   const centers = new SimplexTable(); // by vertex and face
@@ -58,7 +58,7 @@ export function collarRegion(trace: Trace, state: MeshState): CollarRegion {
   };
   for (let i = 0; i < facets.liveCount; i++) {
     const t = corners(i);
-    if (isOpen.has(t[3])) continue;
+    if (isOpen.has(t[3]) || !(state.position > (drawn.get(t[3]) ?? NEVER))) continue;
     for (let k = 0; k < 3; k++) {
       const [a, b] = [t[k]!, t[(k + 1) % 3]!];
       if (
@@ -109,19 +109,27 @@ function adjacencyOf(facets: NonNullable<MeshState['facets']>): {
   return { neighbors, edges };
 }
 
-/** The end of the step that draws the collars; infinite before it is known. */
-function drawnAt(trace: Trace): number {
+/** By face, the last event of the step that draws the collars which draws in it; nothing before all of that step is known. */
+function drawnBy(trace: Trace): ReadonlyMap<number, number> {
+  const known = drawings.get(trace);
+  if (known) return known;
+  const last = new Map<number, number>();
   const lives = trace.protecting?.lives;
+  let end = NEVER;
   for (let n = 0; lives && n < lives.count; n++) {
     const kind = lives.label.data[n];
     if (kind !== Protecting.collarSegment && kind !== Protecting.collarArc) continue;
     const born = lives.born.at(n);
-    const next = trace.stepStarts.find((s) => s.event > born);
-    return next ? next.event : Number.POSITIVE_INFINITY;
+    if (end === NEVER) end = trace.stepStarts.find((s) => s.event > born)?.event ?? NEVER;
+    if (end === NEVER) return new Map();
+    if (born >= end) break;
+    last.set(lives.vertices.at(4 * n + 3), born);
   }
-  return Number.POSITIVE_INFINITY;
+  if (end !== NEVER) drawings.set(trace, last);
+  return last;
 }
 
+const drawings = new WeakMap<Trace, ReadonlyMap<number, number>>();
 const regions = new WeakMap<Trace, { position: number; region: CollarRegion }>();
 
 /** The same, kept for the position that was asked about last. */
