@@ -1,0 +1,133 @@
+import { formatCount } from '../words.ts';
+
+/** Texts of space: how it is looked at, what is measured and protected in it, one face alone. */
+export const spaceTexts = {
+  /** The picture of space. */
+  space: {
+    label:
+      'The complex in space. Shift and arrow keys turn it, plus and minus zoom, arrow keys step.',
+    tools: 'View',
+    views: {
+      corner: 'View from a corner',
+      front: 'View from the front',
+      right: 'View from the right',
+      top: 'View from above',
+    },
+    turn: { left: 'Turn left', right: 'Turn right', up: 'Turn up', down: 'Turn down' },
+    closer: 'Look at what happens',
+    nowhere: 'This moment is about no place.',
+    colorBy: 'Color by',
+    ofCells: 'Of the tetrahedra.',
+    ofFacets: 'Of the triangles of the faces; show the tetrahedra to color them.',
+    faces: 'Faces',
+    faceLook: 'Faces: translucent, solid, hidden',
+    faceLooks: { translucent: 'Translucent', solid: 'Solid', hidden: 'Hidden' },
+    show: 'Show',
+    switches: {
+      facets: 'Triangles of faces',
+      cells: 'Tetrahedra',
+      outside: 'Outside the domain',
+      vertices: 'Steiner vertices',
+      collars: 'Collars',
+      surfaces: 'Spheres and tubes',
+      labels: 'Vertex numbers',
+    },
+    shrink: 'Take apart',
+    explode: 'Take the tetrahedra apart',
+    clip: {
+      title: 'Clip plane',
+      across: 'The plane stands across',
+      axes: { x: 'x', y: 'y', z: 'z', view: 'the view' },
+      place: 'Place of the clip plane',
+      flip: 'Show the other half',
+      exact: 'Cut cells',
+      exactHint: 'Cells that meet the plane are cut through; else they stay whole.',
+      remove: 'Remove the clip plane',
+      forward: 'Clip plane forwards',
+      back: 'Clip plane back',
+    },
+    close: 'Close, back to the drawing',
+    noAlgorithm: 'This version has no algorithm for space.',
+  },
+  /** What protects acute features in space (thesis, chapter 6). */
+  protection: {
+    row: 'protection',
+    inCollar: 'in the collar: never split',
+    beyond: 'beyond the collars',
+    piece: 'never split any more',
+    ordinary: 'none: split where it is encroached',
+    about: (n: number) => `${formatCount(n)} arcs or patches about it`,
+    refused: 'not split, as',
+    stopped: 'circumcenter',
+    stoppers: (name: string, others: number) =>
+      `in the ball of ${name}, a collar simplex${others === 0 ? '' : `, and of ${formatCount(others)} more`} (Theorem 6.11)`,
+    free: 'in no ball of a collar simplex',
+    legend: {
+      collar: 'Collar: its triangles, segments and arcs',
+      piece: 'Protected piece of a segment',
+      surface: 'Sphere or tube that protects',
+    },
+  },
+  /** Feature sizes of a subsegment in space. */
+  sizes: {
+    length: '|s|',
+    kind: 'kind',
+    end: 'end segment',
+    inner: 'non-end segment',
+    fs1: 'fs₁(s)',
+    lfs1: 'lfs₁(s)',
+    lfs: 'lfs(s)',
+    ratio: (name: string) => `|s| / ${name}`,
+    between: (a: string, b: string) => `${a} and ${b}`,
+    feature: (kind: 'vertex' | 'segment' | 'face', index: number) => `${kind} ${index}`,
+    none: 'no two such features',
+    witnesses: 'witnesses',
+    draw: 'Spheres',
+    drawn: { fs1: 'fs₁', lfs: 'lfs', both: 'both' },
+    measuring: 'measuring …',
+    bounds: 'What is proved at this moment',
+    noBounds: 'Of this moment chapter 4 says nothing about |s|; go to the end of a step.',
+    gone: 'This subsegment is not in the mesh at this moment.',
+    ofBound: (times: string) => `|s| is ${times} times that`,
+  },
+  /** One face alone in its own plane. */
+  face: {
+    show: 'One face in its own plane',
+    showThis: 'Show this face in its own plane',
+    showOf: (f: number) => `Face ${f} in its plane`,
+    title: (f: number) => `Face ${f}`,
+    number: 'Number of the face',
+    of: (n: number) => `of ${formatCount(n)}`,
+    next: 'Next face',
+    previous: 'Previous face',
+    follow: 'Follow',
+    followHint: 'Goes with the face in which something happens.',
+    close: 'Close the face',
+    fit: 'Fit the face to its picture',
+    label: (f: number) => `Face ${f} in its own plane. Arrow keys step, plus and minus zoom.`,
+    counts: (vertices: number, triangles: number) =>
+      `${formatCount(vertices)} vertices, ${formatCount(triangles)} triangles`,
+    elsewhere: (f: number) => `Now in face ${f}`,
+    outsider: (v: number, height: string, above: boolean) =>
+      `vertex ${v}, ${height} ${above ? 'before' : 'behind'} the face`,
+    none: 'This face has no plane.',
+    needsRun: 'Refine the input to see the triangulation of the face.',
+  },
+  /** Counts by step in space. */
+  steps: {
+    step: 'step',
+    vertices: 'vertices',
+    segments: 'segments',
+    triangles: 'triangles of faces',
+    now: 'now',
+    reference: (source: string) => `${source} has`,
+    /** Why chapter 4 takes five steps. */
+    why: {
+      '0': 'The input vertices alone are tetrahedralized. In it the nearest neighbor of an input vertex is as far as lfs₀ there: the first size that is known.',
+      '1a': 'Every segment is cut at a third of that distance from its input vertices. From now on end segments at one vertex are equally long, and those at different vertices are far apart.',
+      '1b': 'Segments that are long against their distance from other segments and vertices are halved, the longest first: it ends with |s| ≤ √2 fs₁(s). Faces are not looked at.',
+      '2a': 'Every segment is cut into four, so that no segment or vertex is left near another one. What is still too near can only be a face.',
+      '2b': 'Triangles of faces are split where something outside of the face is near, and segments where a face is: it ends with |s| ≤ 5/3 lfs(s).',
+    } as Readonly<Record<string, string>>,
+  },
+} as const;
