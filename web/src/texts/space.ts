@@ -121,13 +121,31 @@ export const spaceTexts = {
     triangles: 'triangles of faces',
     now: 'now',
     reference: (source: string) => `${source} has`,
-    /** Why chapter 4 takes five steps. */
+    /** What each step is for, by algorithm. */
     why: {
-      '0': 'The input vertices alone are tetrahedralized. In it the nearest neighbor of an input vertex is as far as lfs₀ there: the first size that is known.',
-      '1a': 'Every segment is cut at a third of that distance from its input vertices. From now on end segments at one vertex are equally long, and those at different vertices are far apart.',
-      '1b': 'Segments that are long against their distance from other segments and vertices are halved, the longest first: it ends with |s| ≤ √2 fs₁(s). Faces are not looked at.',
-      '2a': 'Every segment is cut into four, so that no segment or vertex is left near another one. What is still too near can only be a face.',
-      '2b': 'Triangles of faces are split where something outside of the face is near, and segments where a face is: it ends with |s| ≤ 5/3 lfs(s).',
-    } as Readonly<Record<string, string>>,
+      'feature-size': {
+        '0': 'The input vertices alone are tetrahedralized. In it the nearest neighbor of an input vertex is as far as lfs₀ there: the first size that is known.',
+        '1a': 'Every segment is cut at a third of that distance from its input vertices. From now on end segments at one vertex are equally long, and those at different vertices are far apart.',
+        '1b': 'Segments that are long against their distance from other segments and vertices are halved, the longest first: it ends with |s| ≤ √2 fs₁(s). Faces are not looked at.',
+        '2a': 'Every segment is cut into four, so that no segment or vertex is left near another one. What is still too near can only be a face.',
+        '2b': 'Triangles of faces are split where something outside of the face is near, and segments where a face is: it ends with |s| ≤ 5/3 lfs(s).',
+      },
+      ruppert: {
+        '0': 'The input vertices alone are tetrahedralized.',
+        '1': 'Pieces of segments with a vertex in their diametral ball are halved, and triangles of faces with one in their equatorial ball are split: then every face is a union of facets.',
+        '1b': 'Tetrahedra inside of the domain are told from those outside.',
+        '2': 'Tetrahedra whose circumradius is more than τ times their shortest edge are split, the first that was found first.',
+      },
+      collar: {
+        '0': 'The input vertices alone are tetrahedralized.',
+        '2b': 'Segments at acute angles are split until they are short against all that is near, end segments at one vertex alike. So what protects one feature stays clear of all others.',
+        '2c': 'Vertices are put beside protected segments, in every face: across from each vertex of the segment (rule 1), on the circle about its end (rule 2), and on the rest of that circle (rule 3). Collar segments and arcs join them.',
+        '3a': 'Collar segments and arcs with a vertex in their diametral ball are split, until each is an edge.',
+        '3b': 'In every face the collar, between its segments and arcs and what they protect, is told from what is beyond.',
+        '3c': 'Triangles beyond the collars with a vertex in their equatorial ball are split: then every face is a union of facets.',
+        '3d': 'Tetrahedra inside of the domain are told from those outside.',
+        '3': 'Tetrahedra whose circumradius is more than τ times their shortest edge are split, unless their circumcenters lie in balls of collar simplices alone: these stay (Theorem 6.11), and so it ends.',
+      },
+    } as Readonly<Record<string, Readonly<Record<string, string>>>>,
   },
 } as const;
