@@ -36,10 +36,10 @@ def plates():
 
 
 def near_plates():
-    """Two squares a thousandth apart."""
+    """Two squares a thousandth apart, where corners of them overlap."""
     c = Complex()
     c.face(c.add([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]))
-    c.face(c.add([(0.9, 0.8, 0.001), (1.9, 0.8, 0.001), (1.9, 1.8, 0.001), (0.9, 1.8, 0.001)]))
+    c.face(c.add([(0.95, 0.92, 0.001), (1.95, 0.92, 0.001), (1.95, 1.92, 0.001), (0.95, 1.92, 0.001)]))
     c.write("near-plates.json")
 
 

@@ -1,4 +1,5 @@
-"""Writes solids as other programs give them: truncated-octahedron.off, bracket.stl (ASCII) and cavity.poly (TetGen).
+"""Writes solids as other programs give them: truncated-octahedron.off, bracket.stl (ASCII) and cavity.poly (TetGen);
+and boxes.json, a turned lattice of boxes that share faces, in three materials.
 
     python3 examples/make_solids.py
 """
@@ -6,7 +7,7 @@
 import itertools
 import os
 
-from space import HERE
+from space import HERE, Complex
 
 
 def write(name, text):
@@ -115,7 +116,38 @@ def cavity():
     write("cavity.poly", "\n".join(lines) + "\n")
 
 
+def boxes():
+    """A lattice of 3 x 2 x 2 unit boxes, turned by 3-4-5 and 5-12-13 triangles; every shared face is there once. The
+    boxes of each layer across the longest side are one region, with its label and its bound on volumes."""
+
+    def turned(x, y, z):
+        x, y = (3 * x - 4 * y) / 5, (4 * x + 3 * y) / 5
+        return x, (12 * y - 5 * z) / 13, (5 * y + 12 * z) / 13
+
+    c = Complex()
+    size = (3, 2, 2)
+    v = {p: c.vertex(*turned(*p)) for p in itertools.product(*(range(n + 1) for n in size))}
+    for axis in range(3):
+        u, w = [a for a in range(3) if a != axis]
+        for p in itertools.product(*(range(n + 1) for n in size)):
+            if p[u] == size[u] or p[w] == size[w]:
+                continue
+            corners = []
+            for du, dw in ((0, 0), (1, 0), (1, 1), (0, 1)):
+                q = list(p)
+                q[u] += du
+                q[w] += dw
+                corners.append(v[tuple(q)])
+            c.face(corners)
+    regions = []
+    for x, y, z in itertools.product(range(3), range(2), range(2)):
+        at = turned(x + 0.5, y + 0.5, z + 0.5)
+        regions.append({"at": list(at), "label": x + 1, "max": (0.02, 0.005, 0.05)[x]})
+    c.write("boxes.json", regions=regions)
+
+
 if __name__ == "__main__":
     truncated_octahedron()
     bracket()
     cavity()
+    boxes()

@@ -14,8 +14,8 @@ namespace {
 constexpr double kFlatTriangle = 1e-11;
 
 /// Faces at a common segment are in one plane where the sine between them is at most this: twice
-/// what `check` allows a face to deviate from its plane.
-constexpr double kSamePlane = 2e-9;
+/// what `check` allows a face to deviate from its plane, and what rounding turns the planes by.
+constexpr double kSamePlane = 2e-9, kSamePlaneOfRounded = 2e-6;
 
 }  // namespace
 
@@ -320,8 +320,28 @@ bool Live3::is_in_group(VertexId a, VertexId b, VertexId c) const {
   return false;
 }
 
+/// How far rounding turns the plane of a face: by its vertices' over the width.
+double Live3::tilt(std::uint32_t face) const {
+  double most = 0;  // area over extent
+  for (const auto& loop : complex_->faces[face].loops) {
+    double area2 = 0, extent = 0;
+    const Point2 o = faces_[face].plane().to_plane(complex_->vertices[loop[0]]);
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const std::uint32_t next = loop[i + 1 < loop.size() ? i + 1 : 0];
+      const Point2 p = faces_[face].plane().to_plane(complex_->vertices[loop[i]]),
+                   q = faces_[face].plane().to_plane(complex_->vertices[next]);
+      area2 += (p.x - o.x) * (q.y - o.y) - (p.y - o.y) * (q.x - o.x);
+      extent = std::max({extent, std::fabs(p.x - o.x), std::fabs(p.y - o.y)});
+    }
+    if (extent > 0) most = std::max(most, std::fabs(area2) / extent);
+  }
+  return most > 0 ? rounding_ / most : 0;
+}
+
 void Live3::group_faces() {
   groups_ = face_numbers_;
+  std::vector<double> tilts(faces_.size());
+  for (std::uint32_t f = 0; f < tilts.size(); ++f) tilts[f] = tilt(f);
   const auto root = [&](std::uint32_t f) {
     while (groups_[f] != f) f = groups_[f] = groups_[groups_[f]];
     return f;
@@ -333,7 +353,9 @@ void Live3::group_faces() {
         const Point3 &m = faces_[*f].plane().normal(), &n = faces_[*g].plane().normal();
         const double x = m.y * n.z - m.z * n.y, y = m.z * n.x - m.x * n.z,
                      z = m.x * n.y - m.y * n.x;
-        if (x * x + y * y + z * z > kSamePlane * kSamePlane) continue;
+        const double sine = std::max(
+            kSamePlane, std::min(kSamePlaneOfRounded, tilts[*f] + tilts[*g]));
+        if (x * x + y * y + z * z > sine * sine) continue;
         const std::uint32_t a = root(*f), b = root(*g);
         groups_[std::max(a, b)] = std::min(a, b);
       }

@@ -200,6 +200,7 @@ class Live3 {
  private:
   void link(SubsegmentId s);
   Incidence3::Range faces_of_lower(const Feature& feature) const;
+  double tilt(std::uint32_t face) const;
   void group_faces();
   bool is_in_polygon(std::uint32_t face, VertexId a, VertexId b, VertexId c) const;
 

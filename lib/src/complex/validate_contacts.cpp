@@ -32,11 +32,6 @@ Point3 piercing_point(const Point3& a, const Point3& b, const TriangleFilter& t)
   return {a.x + f * (b.x - a.x), a.y + f * (b.y - a.y), a.z + f * (b.z - a.z)};
 }
 
-double size(const Box3& box) {
-  const double dx = box.extent(0), dy = box.extent(1), dz = box.extent(2);
-  return std::sqrt(dx * dx + dy * dy + dz * dz);
-}
-
 class ContactCheck {
  public:
   ContactCheck(const Complex& complex, const SpaceView& view,
@@ -233,7 +228,7 @@ bool ContactCheck::coplanar(std::uint32_t f, std::uint32_t g) const {
     box.extend(Box3::of(point(v)));
     highest = std::max(highest, std::fabs(plane.height(point(v))));
   }
-  return highest <= 2 * kPlanarity * size(box);
+  return highest <= 2 * planarity_of(box);
 }
 
 bool ContactCheck::overlap_in_plane(const FaceProjection& project, const Triangle& t,
@@ -273,7 +268,7 @@ void ContactCheck::look_at_faces() {
     for (std::uint32_t i = first_[f]; i < first_[f + 1]; ++i) {
       const Triangle& t = triangle(i);
       TriangleFilter near = filter(t);
-      near.grow(4 * kPlanarity * size(near.box));  // triangles of coplanar faces may be apart
+      near.grow(4 * planarity_of(near.box));  // triangles of coplanar faces may be apart
       const auto enter = [&](const Box3& box) {
         ++work_;
         return near.may_meet(box);

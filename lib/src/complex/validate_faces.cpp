@@ -157,11 +157,12 @@ class FaceCheck {
     }
     const double dx = box.extent(0), dy = box.extent(1), dz = box.extent(2);
     const double size = std::sqrt(dx * dx + dy * dy + dz * dz), deviation = 0.5 * (high - low);
-    if (deviation <= kPlanarity * size) return true;
+    const double allowed = planarity_of(box);
+    if (deviation <= allowed) return true;
     bent_.add({feature(f), {FeatureKind::kVertex, farthest}}, {point(farthest)},
               name(f) + " is not planar: its vertices are up to " + number_text(deviation) +
                   " from a plane, " + number_text(deviation / size) +
-                  " of its size, and 1e-9 is allowed; vertex " + std::to_string(farthest) + " at " +
+                  " of its size, and " + number_text(allowed / size) + " is allowed; vertex " + std::to_string(farthest) + " at " +
                   point_text(point(farthest), 3) +
                   " is farthest: divide the face into triangles, or move the vertices into one "
                   "plane");

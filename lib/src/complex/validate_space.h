@@ -1,6 +1,9 @@
 #ifndef CIRCUMBALL_COMPLEX_VALIDATE_SPACE_H_
 #define CIRCUMBALL_COMPLEX_VALIDATE_SPACE_H_
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 #include "complex/box_tree.h"
@@ -12,6 +15,19 @@ namespace circumball {
 /// A polygon is planar if its vertices are this close to a plane, relative to its size
 /// (architecture.md, "Numbers"). The only tolerance in what makes a complex invalid.
 constexpr double kPlanarity = 1e-9;
+/// Far from the origin the roundings of coordinates are larger than that: 8 units in the last place
+/// of the largest are granted (Live3::rounding), unless that is more than this part of the size.
+constexpr double kPlanarityOfRounded = 1e-6;
+
+/// How far from a plane the vertices of a face may be that lie in this box.
+inline double planarity_of(const Box3& box) {
+  const double dx = box.extent(0), dy = box.extent(1), dz = box.extent(2);
+  const double size = std::sqrt(dx * dx + dy * dy + dz * dz);
+  const double largest = std::max({std::fabs(box.lo_x), std::fabs(box.hi_x), std::fabs(box.lo_y),
+                                   std::fabs(box.hi_y), std::fabs(box.lo_z), std::fabs(box.hi_z)});
+  const double rounding = 8 * std::numeric_limits<double>::epsilon() * largest;
+  return std::max(kPlanarity * size, std::min(rounding, kPlanarityOfRounded * size));
+}
 
 // The parts of check() in space, by what they look at.
 
