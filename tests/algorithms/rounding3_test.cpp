@@ -142,8 +142,8 @@ TEST(RoundingInSpace, NearlyCocircularVerticesOfAFaceLeaveNoHoleAndNoWrongDiagon
       std::vector<std::uint32_t> ring;
       for (std::uint64_t k = 0; k < sides; ++k) {
         const double r = 1 + noise * (2 * random.unit() - 1);
-        const Point2 p = testing::polar(0, 0, r, 360.0 * static_cast<double>(k) /
-                                                     static_cast<double>(sides));
+        const Point2 p =
+            testing::polar(0, 0, r, 360.0 * static_cast<double>(k) / static_cast<double>(sides));
         ring.push_back(b.vertex({p.x, p.y, 0}));
       }
       b.builder().face(ring);

@@ -353,8 +353,8 @@ void Live3::group_faces() {
         const Point3 &m = faces_[*f].plane().normal(), &n = faces_[*g].plane().normal();
         const double x = m.y * n.z - m.z * n.y, y = m.z * n.x - m.x * n.z,
                      z = m.x * n.y - m.y * n.x;
-        const double sine = std::max(
-            kSamePlane, std::min(kSamePlaneOfRounded, tilts[*f] + tilts[*g]));
+        const double sine =
+            std::max(kSamePlane, std::min(kSamePlaneOfRounded, tilts[*f] + tilts[*g]));
         if (x * x + y * y + z * z > sine * sine) continue;
         const std::uint32_t a = root(*f), b = root(*g);
         groups_[std::max(a, b)] = std::min(a, b);

@@ -161,9 +161,9 @@ class FaceCheck {
     if (deviation <= allowed) return true;
     bent_.add({feature(f), {FeatureKind::kVertex, farthest}}, {point(farthest)},
               name(f) + " is not planar: its vertices are up to " + number_text(deviation) +
-                  " from a plane, " + number_text(deviation / size) +
-                  " of its size, and " + number_text(allowed / size) + " is allowed; vertex " + std::to_string(farthest) + " at " +
-                  point_text(point(farthest), 3) +
+                  " from a plane, " + number_text(deviation / size) + " of its size, and " +
+                  number_text(allowed / size) + " is allowed; vertex " + std::to_string(farthest) +
+                  " at " + point_text(point(farthest), 3) +
                   " is farthest: divide the face into triangles, or move the vertices into one "
                   "plane");
     return false;
