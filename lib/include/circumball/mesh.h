@@ -52,6 +52,15 @@ struct Mesh {
   }
 };
 
+/// Dihedral angles of a mesh in space.
+struct DihedralHistogram {
+  std::array<std::uint64_t, 18> counts{};  ///< of angles in [0, 10), [10, 20), … [170, 180] degrees
+  double min = 0, max = 0;                 ///< degrees; 0 where there is no cell
+  std::uint64_t slivers = 0;               ///< cells with an angle below the bound
+};
+/// Six angles a cell, some ulp accurate; empty for a mesh in the plane.
+DihedralHistogram dihedral_histogram(const Mesh& mesh, double bound_degrees = 0);
+
 /// FNV-1a 64 over the mesh's coordinates and cells: the same on every platform (16 hex digits).
 /// Order of cells and of vertices within a cell does not matter; numbering of vertices does.
 std::string fingerprint(const Mesh& mesh);

@@ -51,6 +51,13 @@ struct Unresolved {
   std::string near;    ///< e.g. "input vertex 7"
 };
 
+/// What the step that removes slivers (parameter `slivers`) has to say.
+struct SliverRemoval {
+  double degrees = 0;              ///< with a smaller dihedral angle a cell is a sliver
+  DihedralHistogram before;        ///< of the mesh when the step began
+  std::vector<Unresolved> kept;    ///< slivers that are there still, and why
+};
+
 struct Progress {
   std::string step;
   std::uint64_t vertices = 0, queued = 0, iterations = 0;
@@ -85,6 +92,9 @@ class Run {
   Mesh mesh() const;
   /// What is still unacceptable, at most `max` of it.
   std::vector<Unresolved> unresolved(std::size_t max = 1000) const;
+  /// Of the step that removes slivers: nothing where there is none, or it has not begun. At most
+  /// `max` of the slivers that it left.
+  std::optional<SliverRemoval> sliver_removal(std::size_t max = 1000) const;
   /// The complex that is refined: the input, and the box where one was added.
   const Complex& complex() const;
   const Options& options() const;  ///< with every default filled in

@@ -77,6 +77,7 @@ enum class Reason : std::uint8_t {
   kNearVertex =
       12,  ///< a vertex of this triangle of a face has a Delaunay neighbor `subject` outside
            ///< of the face, nearer than its circumdiameter (4.3); `value` = that distance
+  kSliver = 15,  ///< `value` = smallest dihedral angle in degrees < the bound
   // where a vertex was inserted
   kInput = 16,         ///< an input vertex (step 0)
   kBox = 17,           ///< a corner of the box
@@ -90,6 +91,7 @@ enum class Reason : std::uint8_t {
   kEqualLength = 25,   ///< on a segment, so that adjacent segments get pieces of equal lengths
   kShell = 26,         ///< on a segment, on a concentric shell about its input vertex
   kThird = 27,         ///< on a segment, a third of N(q0) from its input vertex q0 (4.1, step 1a)
+  kPicked = 31,  ///< near the circumcenter of a tetrahedron, so that slivers become fewer
   // why a simplex was refused
   kOutsideDomain = 32,  ///< its circumcentre lies outside what is meshed
   kProtected = 33,      ///< only protected simplices are in the way
@@ -101,6 +103,8 @@ enum class Reason : std::uint8_t {
   kOutsideFace = 38,  ///< its circumcenter lies outside of its face
   kNearSegment = 39,  ///< its circumcenter would have an end of a segment of its face for a
                       ///< Delaunay neighbor, nearer than that segment is long
+  kNoRoom = 46,       ///< all points tried encroach upon segments or faces, or lie outside
+  kNotImproved = 47,  ///< no point tried leaves fewer slivers and keeps all else
   // why a simplex was dropped
   kDied = 48,
   kAcceptable = 49,

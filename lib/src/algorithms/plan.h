@@ -11,6 +11,9 @@
 
 namespace circumball {
 
+/// Name of the step that removes slivers, in space.
+constexpr char kSliverStep[] = "slivers";
+
 /// The steps of an algorithm, in order: the driver is this list. Step names are the thesis' where
 /// it names them.
 std::vector<std::unique_ptr<Stage>> plan(const Settings& settings);

@@ -3,7 +3,9 @@
 #include "algorithms/plan.h"
 #include "algorithms/protect3.h"
 #include "algorithms/ruppert3.h"
+#include "algorithms/slivers3.h"
 #include "algorithms/sweeps3.h"
+#include "predicates/elementary.h"
 #include "refinement/loop.h"
 
 namespace circumball {
@@ -18,6 +20,17 @@ Step2a step2a(const Settings& settings) {
   return settings.step2a == "halves"     ? Step2a::kHalves
          : settings.step2a == "adaptive" ? Step2a::kAdaptive
                                          : Step2a::kFourths;
+}
+
+/// What it leaves is no failure of the refinement before it, whose rules account for the run.
+std::unique_ptr<Stage3> remove_slivers(const Settings& settings) {
+  Slivers3 rules;
+  rules.quality.tau = settings.tau;
+  rules.quality.size = settings.size;
+  rules.cosine = elementary::cos(settings.sliver_degrees * (elementary::kPi / 180));
+  rules.min_edge = settings.min_edge;
+  return std::make_unique<Loop<Slivers3, Space>>(kSliverStep, "Remove slivers", rules,
+                                                 Account::kNone);
 }
 
 }  // namespace
@@ -55,6 +68,7 @@ std::vector<std::unique_ptr<Stage3>> plan_in_space(const Settings& settings) {
     rules.size = settings.size;
     steps.push_back(loop("2", "Ruppert's algorithm", rules));
   }
+  if (settings.sliver_degrees > 0) steps.push_back(remove_slivers(settings));
   return steps;
 }
 

@@ -78,6 +78,11 @@ std::vector<AlgorithmInfo> algorithms_in_space() {
       {"tau", "2.1", "0.6", "1000",
        "radius-edge threshold: circumradius over shortest edge; above 2 the end is proved"},
       {"size", "0", "0", "1e55", "upper bound on the circumradius of every tetrahedron; 0: none"},
+      {"slivers", "keep", "keep|remove", "",
+       "what becomes of tetrahedra with a small dihedral angle: a last step removes those that it "
+       "can without losing anything"},
+      {"dihedral", "10", "0.1", "30",
+       "degrees: with a smaller dihedral angle a tetrahedron is a sliver, to be removed"},
       box};
   ruppert.guarantee =
       "Where segments and faces meet at right or obtuse angles and $\\tau > 2$ it ends; then every "

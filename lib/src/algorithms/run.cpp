@@ -77,6 +77,7 @@ struct Run::Impl {
   virtual Mesh mesh() = 0;
   virtual void unresolved(const std::string& stop, std::size_t max,
                           std::vector<Unresolved>* list) const = 0;
+  virtual std::vector<Unresolved> slivers(const std::string& stop, std::size_t max) const = 0;
   virtual void fill(Progress* progress) const = 0;
 
   /// Before the end of the last step is told, so that this is the last event of a run that is
@@ -109,6 +110,7 @@ struct Run::Impl {
   Reason limit = Reason::kNone;
   double seconds = 0;
   std::uint64_t peak_bytes = 0;
+  std::optional<DihedralHistogram> before_slivers;
 };
 
 /// The same in the plane or in space.
@@ -126,6 +128,9 @@ struct Run::ImplOf final : Impl {
   }
 
   bool go_on(Budget* budget) override {
+    if (steps.size() == current && stages[current]->name == kSliverStep) {
+      before_slivers = dihedral_histogram(mesh(), settings.sliver_degrees);
+    }
     const auto start = Budget::Clock::now();
     if (steps.size() == current) {
       StepReport step;
@@ -161,6 +166,12 @@ struct Run::ImplOf final : Impl {
     for (auto stage = stages.rbegin(); stage != stages.rend(); ++stage) {
       if ((*stage)->has_rules()) return (*stage)->unresolved(work, stop, max, list);
     }
+  }
+
+  std::vector<Unresolved> slivers(const std::string& stop, std::size_t max) const override {
+    std::vector<Unresolved> list;
+    stages.back()->unresolved(work, stop, max, &list);
+    return list;
   }
 
   void fill(Progress* p) const override {
@@ -246,6 +257,14 @@ std::vector<Unresolved> Run::unresolved(std::size_t max) const {
   const Reason stop = impl_->status == Status::kCancelled ? Reason::kCancelled : impl_->limit;
   impl_->unresolved(limit_word(stop), max, &list);
   return list;
+}
+
+std::optional<SliverRemoval> Run::sliver_removal(std::size_t max) const {
+  const Impl& m = *impl_;
+  if (!m.before_slivers) return std::nullopt;
+  const Reason stop = m.status == Status::kCancelled ? Reason::kCancelled : m.limit;
+  return SliverRemoval{m.settings.sliver_degrees, *m.before_slivers,
+                       m.slivers(limit_word(stop), max)};
 }
 
 const Complex& Run::complex() const { return impl_->complex; }

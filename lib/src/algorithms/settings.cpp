@@ -150,6 +150,12 @@ std::string settle(const Complex& complex, Options* options, Settings* settings)
   }
   values.erase("tau");
   values.erase("min-angle");
+  if (values.count("slivers") && values["slivers"] == "remove") {
+    settings->sliver_degrees = number("dihedral");
+  } else {
+    values.erase("dihedral");
+  }
+  settings->min_edge = options->limits.min_edge;
   if (values.count("step2a")) settings->step2a = values["step2a"];
   const bool conforms = !(complex.dimension == 3 && info->default_domain == "hull");
   const bool encloses = conforms && (complex.dimension == 2 ? encloses_something(complex)

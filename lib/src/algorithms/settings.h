@@ -24,6 +24,8 @@ struct Settings {
   double size_factor = 0.8;     ///< in space: the c of (H2)
   double height = 0.6;          ///< in space: of collars
   std::string step2a = "fourths";  ///< in space: fourths | halves | adaptive
+  double sliver_degrees = 0;  ///< in space: least dihedral angle of no sliver; 0: slivers are kept
+  double min_edge = 0;        ///< limit of the run; 0: none
 };
 
 /// Fills in the defaults of `options`, checks the ranges of the registry, and sets `settings`. An

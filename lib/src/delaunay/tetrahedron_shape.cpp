@@ -88,6 +88,26 @@ TetrahedronShape tetrahedron_shape(const Point3& a, const Point3& b, const Point
   return shape;
 }
 
+double least_dihedral_cosine(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
+  // Normals of the facets, inwards at a (or all outwards), of bcd the other way.
+  const Vector<double> u = minus(b, a), v = minus(c, a), w = minus(d, a);
+  const Vector<double> n[3] = {cross(v, w), cross(w, u), cross(u, v)};
+  const Vector<double> m = {n[0].x + n[1].x + n[2].x, n[0].y + n[1].y + n[2].y,
+                            n[0].z + n[1].z + n[2].z};
+  const double mm = dot(m, m);
+  const double nn[3] = {dot(n[0], n[0]), dot(n[1], n[1]), dot(n[2], n[2])};
+  double cosine = -1;
+  const auto look_at = [&](double product, double squares) {
+    const double x = product / std::sqrt(squares);
+    cosine = x > cosine || !std::isfinite(x) ? x : cosine;
+  };
+  for (unsigned i = 0; i < 3; ++i) {
+    look_at(dot(m, n[i]), mm * nn[i]);
+    look_at(-dot(n[i], n[(i + 1) % 3]), nn[i] * nn[(i + 1) % 3]);
+  }
+  return std::isfinite(cosine) ? std::min(cosine, 1.0) : 1;
+}
+
 TriangleBall triangle_ball(const Point3& a, const Point3& b, const Point3& c) {
   const Vector<double> u = minus(b, a), v = minus(c, a);
   const Vector<double> n = cross(u, v);

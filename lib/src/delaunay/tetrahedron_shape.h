@@ -29,6 +29,10 @@ constexpr double kFlatVolume = 1e-9;
 TetrahedronShape tetrahedron_shape(const Point3& a, const Point3& b, const Point3& c,
                                    const Point3& d);
 
+/// Cosine of the smallest dihedral angle of abcd; 1 where rounding flattened a facet. Good for
+/// twelve digits of the cosine unless a facet is thin: it only chooses between valid meshes.
+double least_dihedral_cosine(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
+
 /// The smallest ball with the corners of a triangle on its boundary (centered in their plane).
 struct TriangleBall {
   Point3 corner;   ///< one of them

@@ -15,6 +15,10 @@
 
 namespace circumball {
 
+/// Whether what the rules of a loop still call unacceptable is the run's to account for: not, where
+/// they only improve a mesh that is as promised.
+enum class Account : std::uint8_t { kNone, kUnresolved };
+
 /// Algorithm 2.2, the generic Delaunay refinement algorithm, in the plane and in space:
 ///
 ///   queue every unacceptable simplex
@@ -40,8 +44,10 @@ class Loop final : public StageOf<World> {
   using Point = typename World::Point;
   using Agenda = typename World::template Agenda<Rules>;
 
-  Loop(std::string name, std::string title, Rules rules)
-      : StageOf<World>(std::move(name), std::move(title)), rules_(std::move(rules)) {}
+  Loop(std::string name, std::string title, Rules rules, Account account = Account::kUnresolved)
+      : StageOf<World>(std::move(name), std::move(title)),
+        rules_(std::move(rules)),
+        account_(account) {}
 
   void begin(Workspace& w) override {
     view_.emplace(w.live, w.recorder.on());
@@ -59,7 +65,7 @@ class Loop final : public StageOf<World> {
     }
   }
 
-  bool has_rules() const override { return true; }
+  bool has_rules() const override { return account_ == Account::kUnresolved; }
 
   void unresolved(const Workspace& w, const std::string& stop, std::size_t max,
                   std::vector<Unresolved>* list) const override {
@@ -166,6 +172,7 @@ class Loop final : public StageOf<World> {
   }
 
   Rules rules_;
+  Account account_;
   std::optional<View> view_;
   Agenda agenda_;
   std::map<std::uint64_t, Reason> refusals_;

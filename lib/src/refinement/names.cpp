@@ -76,6 +76,8 @@ const char* name(Reason reason) {
       return "near-local-witness";
     case Reason::kNearVertex:
       return "near-vertex";
+    case Reason::kSliver:
+      return "sliver";
     case Reason::kInput:
       return "input";
     case Reason::kBox:
@@ -100,6 +102,12 @@ const char* name(Reason reason) {
       return "shell";
     case Reason::kThird:
       return "third";
+    case Reason::kPicked:
+      return "picked";
+    case Reason::kNoRoom:
+      return "no-room";
+    case Reason::kNotImproved:
+      return "not-improved";
     case Reason::kOutsideFace:
       return "outside-face";
     case Reason::kNearSegment:

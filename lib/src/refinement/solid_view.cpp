@@ -140,6 +140,23 @@ bool SolidView::is_flat(const CellRef& c, const TetrahedronShape& shape) const {
 
 // --- points that are not inserted yet
 
+bool SolidView::cavity_is_in_one_part(const CellRef& c) const {
+  const std::uint32_t label = dt_.label(c.slot);
+  for (const CellSlot d : dt_.cavity()) {
+    if (dt_.is_ghost(d) || dt_.label(d) != label) return false;
+  }
+  for (const CellSlot d : dt_.cavity()) {
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      const CellFacet f = 4 * d + i;
+      const VertexId p = dt_.facet_corner(f, 0), q = dt_.facet_corner(f, 1),
+                     r = dt_.facet_corner(f, 2);
+      if (!can_lie_in_face(p) || !can_lie_in_face(q) || !can_lie_in_face(r)) continue;
+      if (cavity_holds(dt_.twin(f) / 4) && live_.is_in_group(p, q, r)) return false;
+    }
+  }
+  return true;
+}
+
 bool SolidView::cavity_holds(CellSlot c) const {
   const auto& cavity = dt_.cavity();
   return std::find(cavity.begin(), cavity.end(), c) != cavity.end();

@@ -113,9 +113,35 @@ class SolidView : public View3 {
   /// Looks at the circumcenter p of c: whether it encroaches upon segments, or where upon none,
   /// upon triangles of faces.
   Outlook3 look(const Point3& p, const CellRef& c);
+  /// Of the smallest dihedral angle of c.
+  double least_dihedral_cosine(const CellRef& c) const {
+    return circumball::least_dihedral_cosine(
+        dt_.point(dt_.corner(c.slot, 0)), dt_.point(dt_.corner(c.slot, 1)),
+        dt_.point(dt_.corner(c.slot, 2)), dt_.point(dt_.corner(c.slot, 3)));
+  }
   template <class Measure>
   double measure(Measure m) const {
     return measuring() ? m() : 0;
+  }
+
+  // --- what the point last looked at would change
+  /// Whether all cells that die belong to the same part of the domain as c, and no facet between
+  /// them lies in a face.
+  bool cavity_is_in_one_part(const CellRef& c) const;
+  /// Calls f for each cell that dies.
+  template <class F>
+  void for_each_dying(F f) const {
+    for (const CellSlot c : dt_.cavity()) f(CellRef{c, dt_.cell(c).birth});
+  }
+  /// Calls f(a, b, c) -> bool (go on?) for the corners of each cell born, beside the point itself.
+  template <class F>
+  void for_each_in_star(F f) const {
+    for (const CellFacet facet : dt_.cavity_boundary()) {
+      if (!f(dt_.point(dt_.facet_corner(facet, 0)), dt_.point(dt_.facet_corner(facet, 1)),
+             dt_.point(dt_.facet_corner(facet, 2)))) {
+        return;
+      }
+    }
   }
 
   // --- what cells touch

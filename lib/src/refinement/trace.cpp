@@ -186,6 +186,8 @@ std::string place_inserted(Reason reason) {
       return "where a concentric shell about its input vertex crosses";
     case Reason::kArcMidpoint:
       return "at the midpoint of";
+    case Reason::kPicked:
+      return "near the circumcenter, where slivers become fewer, of";
     default:
       return std::string("at the ") + name(reason) + " of";
   }
@@ -209,6 +211,10 @@ std::string why_refused(Reason reason) {
     case Reason::kNearSegment:
       return "an end of a segment of the face would be a Delaunay neighbor of its circumcenter, "
              "nearer than that segment is long";
+    case Reason::kNoRoom:
+      return "all points tried in its ball encroach upon a segment or a face, or lie outside";
+    case Reason::kNotImproved:
+      return "no point tried in its ball leaves fewer slivers and keeps radius-edge ratios and sizes";
     case Reason::kFrozen:
       return "its circumcenter would yield to a piece of a segment that is not split any more";
     default:

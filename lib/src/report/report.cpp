@@ -1,5 +1,6 @@
 #include "circumball/report.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
@@ -54,6 +55,40 @@ Json measures(const Mesh& mesh) {
   result["min_dihedral_degrees"] = value(quality.min_dihedral_degrees, 3);
   result["max_dihedral_degrees"] = value(quality.max_dihedral_degrees, 3);
   result["shortest_edge"] = value(quality.shortest_edge);
+  if (any && mesh.dimension == 3) result["dihedrals"] = dihedral_histogram(mesh).counts;
+  return result;
+}
+
+Json histogram_json(const DihedralHistogram& histogram) {
+  return {{"slivers", histogram.slivers},
+          {"min_dihedral_degrees", histogram.min},
+          {"max_dihedral_degrees", histogram.max},
+          {"dihedrals", histogram.counts}};
+}
+
+Json unresolved_json(const Unresolved& simplex) {
+  return {{"simplex", simplex.simplex},
+          {"rule", simplex.rule},
+          {"reason", simplex.reason},
+          {"near", simplex.near}};
+}
+
+/// Before and after the step that removes slivers.
+Json slivers_json(const SliverRemoval& removal, const Mesh& mesh, std::size_t max) {
+  const DihedralHistogram after = dihedral_histogram(mesh, removal.degrees);
+  Json result;
+  result["bound"] = removal.degrees;
+  result["before"] = histogram_json(removal.before);
+  result["after"] = histogram_json(after);
+  result["removed"] = removal.before.slivers - std::min(removal.before.slivers, after.slivers);
+  result["kept"] = after.slivers;
+  Json& reasons = result["reasons"] = Json::object();
+  Json& cells = result["cells"] = Json::array();
+  for (const Unresolved& sliver : removal.kept) {
+    Json& count = reasons[sliver.reason];
+    count = count.is_null() ? 1 : count.get<int>() + 1;
+    if (cells.size() < max) cells.push_back(unresolved_json(sliver));
+  }
   return result;
 }
 
@@ -141,10 +176,10 @@ std::string report_json(const Run& run, const Complex& input, const Mesh& mesh,
   report["mesh"] = measures(mesh);
   Json& unresolved = report["unresolved"] = Json::array();
   for (const Unresolved& simplex : run.unresolved(options.max_unresolved)) {
-    unresolved.push_back({{"simplex", simplex.simplex},
-                          {"rule", simplex.rule},
-                          {"reason", simplex.reason},
-                          {"near", simplex.near}});
+    unresolved.push_back(unresolved_json(simplex));
+  }
+  if (const auto removal = run.sliver_removal(~std::size_t{0})) {
+    report["slivers"] = slivers_json(*removal, mesh, options.max_unresolved);
   }
   Json& results = report["checks"] = Json::array();
   for (const Check& check : checks) results.push_back(check_json(check, options));
