@@ -83,6 +83,28 @@ void advance_to_the_end(Run* run, ProgressLine* line) {
   }
 }
 
+/// Dihedral angles; before and after the step that removes slivers, where there is one.
+std::string dihedral_table(const Run& run, const Mesh& mesh) {
+  const auto removal = run.sliver_removal(0);
+  const DihedralHistogram now = dihedral_histogram(mesh, removal ? removal->degrees : 0);
+  if (!removal) return fmt::format("dihedral angles {:.4g} to {:.4g} degrees\n", now.min, now.max);
+  const DihedralHistogram& before = removal->before;
+  std::string text = fmt::format("{:>24}  {:>10}  {:>10}\n", "dihedral angles", "before", "after");
+  const auto row = [&](const std::string& name, const auto& a, const auto& b) {
+    text += fmt::format("{:>24}  {:>10.4}  {:>10.4}\n", name, a, b);
+  };
+  row("smallest", before.min, now.min);
+  row("largest", before.max, now.max);
+  const auto count = [&](const std::string& name, std::uint64_t a, std::uint64_t b) {
+    text += fmt::format("{:>24}  {:>10}  {:>10}\n", name, a, b);
+  };
+  for (std::size_t k = 0; k < now.counts.size(); ++k) {
+    count(fmt::format("{} to {} degrees", 10 * k, 10 * k + 10), before.counts[k], now.counts[k]);
+  }
+  count(fmt::format("cells below {:.4g}", removal->degrees), before.slivers, now.slivers);
+  return text;
+}
+
 std::string summary(const Run& run, const Mesh& mesh) {
   std::string text;
   for (const StepReport& step : run.steps()) {
@@ -98,6 +120,8 @@ std::string summary(const Run& run, const Mesh& mesh) {
         fmt::format(", angles {:.4g} to {:.4g} degrees, shortest edge {:.4g}",
                     quality.min_angle_degrees, quality.max_angle_degrees, quality.shortest_edge);
   }
+  if (mesh.dimension == 3 && mesh.cell_count() > 0) text += "\n" + dihedral_table(run, mesh);
+  if (!text.empty() && text.back() == '\n') text.pop_back();
   const std::size_t unresolved = run.unresolved().size();
   if (unresolved)
     text += fmt::format("\nunresolved: {}{}", unresolved, unresolved < 1000 ? "" : "+");

@@ -1,7 +1,13 @@
 import { describe, expect, it } from 'vitest';
 import { complexToText, inputFromJson } from '../../web/src/core/complex-json.ts';
 import { circumball, dihedralAngles, distance3 } from '../../web/src/replay/geometry3.ts';
-import { AngleCache, histogram, measureTetrahedron } from '../../web/src/replay/measure.ts';
+import {
+  AngleCache,
+  cellsAt,
+  countBelow,
+  histogram,
+  measureTetrahedron,
+} from '../../web/src/replay/measure.ts';
 import { momentAt } from '../../web/src/replay/moment.ts';
 import { Replay } from '../../web/src/replay/replay.ts';
 import { Label, type Moment3, type Point3, VertexKind } from '../../web/src/shared/types.ts';
@@ -44,6 +50,18 @@ describe('replay in space', () => {
     for (const goal of goals) {
       replay.seek(goal);
       expect(live(replay)).toEqual(liveAfter3(drafts, goal));
+    }
+  });
+
+  it('tells the cells at any position without going there', () => {
+    const replay = new Replay(trace);
+    const cache = new AngleCache(trace);
+    for (let position = 0; position <= drafts.length; position++) {
+      replay.seek(position);
+      const there = cellsAt(trace, position);
+      expect(histogram(there, cache)).toEqual(histogram(replay.state(), cache));
+      expect(countBelow(there, cache, 181)).toBe(histogram(there, cache).cells);
+      expect(countBelow(there, cache, 0)).toBe(0);
     }
   });
 

@@ -53,9 +53,9 @@ struct Unresolved {
 
 /// What the step that removes slivers (parameter `slivers`) has to say.
 struct SliverRemoval {
-  double degrees = 0;              ///< with a smaller dihedral angle a cell is a sliver
-  DihedralHistogram before;        ///< of the mesh when the step began
-  std::vector<Unresolved> kept;    ///< slivers that are there still, and why
+  double degrees = 0;            ///< with a smaller dihedral angle a cell is a sliver
+  DihedralHistogram before;      ///< of the mesh when the step began
+  std::vector<Unresolved> kept;  ///< slivers that are there still, and why
 };
 
 struct Progress {

@@ -75,8 +75,8 @@ enum class Reason : std::uint8_t {
                            ///< `value` = that distance
   kNearLocalWitness = 11,  ///< the same, a local feature size witness (4.3)
   kNearVertex =
-      12,  ///< a vertex of this triangle of a face has a Delaunay neighbor `subject` outside
-           ///< of the face, nearer than its circumdiameter (4.3); `value` = that distance
+      12,        ///< a vertex of this triangle of a face has a Delaunay neighbor `subject` outside
+                 ///< of the face, nearer than its circumdiameter (4.3); `value` = that distance
   kSliver = 15,  ///< `value` = smallest dihedral angle in degrees < the bound
   // where a vertex was inserted
   kInput = 16,         ///< an input vertex (step 0)
@@ -91,7 +91,7 @@ enum class Reason : std::uint8_t {
   kEqualLength = 25,   ///< on a segment, so that adjacent segments get pieces of equal lengths
   kShell = 26,         ///< on a segment, on a concentric shell about its input vertex
   kThird = 27,         ///< on a segment, a third of N(q0) from its input vertex q0 (4.1, step 1a)
-  kPicked = 31,  ///< near the circumcenter of a tetrahedron, so that slivers become fewer
+  kPicked = 31,        ///< near the circumcenter of a tetrahedron, so that slivers become fewer
   // why a simplex was refused
   kOutsideDomain = 32,  ///< its circumcentre lies outside what is meshed
   kProtected = 33,      ///< only protected simplices are in the way

@@ -37,8 +37,7 @@ DihedralHistogram dihedral_histogram(const Mesh& mesh, double bound_degrees) {
                      other = cross(e, difference(p[b], p[i]));
         // |normal x other| = |e| 6 V.
         const double sine = std::sqrt(dot(e, e)) * volume6;
-        const double angle =
-            elementary::atan2(sine, dot(normal, other)) * (180 / elementary::kPi);
+        const double angle = elementary::atan2(sine, dot(normal, other)) * (180 / elementary::kPi);
         least = std::min(least, angle);
         histogram.max = std::max(histogram.max, angle);
         ++histogram.counts[static_cast<std::size_t>(std::clamp(angle / 10, 0.0, 17.0))];

@@ -8,8 +8,8 @@
 namespace circumball {
 
 /// Points of concentric balls, uniform and independent as far as anybody can tell; the same for the
-/// same key, everywhere. The generator counts: number k of a key is a mix of both (SplitMix64: Steele, Lea
-/// and Flood, "Fast splittable pseudorandom number generators", 2014).
+/// same key, everywhere. The generator counts: number k of a key is a mix of both (SplitMix64:
+/// Steele, Lea and Flood, "Fast splittable pseudorandom number generators", 2014).
 class PickingRegion {
  public:
   PickingRegion(const Point3& center, double radius, std::uint64_t key)

@@ -214,7 +214,8 @@ std::string why_refused(Reason reason) {
     case Reason::kNoRoom:
       return "all points tried in its ball encroach upon a segment or a face, or lie outside";
     case Reason::kNotImproved:
-      return "no point tried in its ball leaves fewer slivers and keeps radius-edge ratios and sizes";
+      return "no point tried in its ball leaves fewer slivers and keeps radius-edge ratios and "
+             "sizes";
     case Reason::kFrozen:
       return "its circumcenter would yield to a piece of a segment that is not split any more";
     default:

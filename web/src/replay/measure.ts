@@ -50,7 +50,9 @@ function cornersOf(trace: Trace, n: number): [Point3, Point3, Point3, Point3] {
   return [0, 1, 2, 3].map((k) => point3(at, t[4 * n + k]!)) as [Point3, Point3, Point3, Point3];
 }
 
-export function histogram(state: MeshState, cache: AngleCache): Histogram {
+type LiveCells = Pick<MeshState, 'liveCells' | 'liveCellCount' | 'cellLabel'>;
+
+export function histogram(state: LiveCells, cache: AngleCache): Histogram {
   const bins = new Uint32Array(BINS);
   let minAngle = Number.POSITIVE_INFINITY;
   let maxAngle = Number.NEGATIVE_INFINITY;
@@ -68,6 +70,27 @@ export function histogram(state: MeshState, cache: AngleCache): Histogram {
   return cells > 0
     ? { bins, cells, minAngle, maxAngle }
     : { bins, cells, minAngle: Number.NaN, maxAngle: Number.NaN };
+}
+
+/** The cells at a position of the trace, wherever its replay is. O(cells ever born). */
+export function cellsAt(trace: Trace, position: number): LiveCells {
+  const born = trace.cellBorn.data;
+  const died = trace.cellDied.data;
+  const liveCells = new Uint32Array(trace.cellCount);
+  let liveCellCount = 0;
+  for (let n = 0; n < trace.cellCount; n++)
+    if (born[n]! < position && position <= died[n]!) liveCells[liveCellCount++] = n;
+  return { liveCells, liveCellCount, cellLabel: trace.cellLabel.data };
+}
+
+/** Cells inside the domain with an angle below a bound in degrees: of tetrahedra, slivers. */
+export function countBelow(state: LiveCells, cache: AngleCache, degrees: number): number {
+  let count = 0;
+  for (let i = 0; i < state.liveCellCount; i++) {
+    const n = state.liveCells[i]!;
+    if (state.cellLabel[n] !== Label.outside && Math.min(...cache.of(n)) < degrees) count++;
+  }
+  return count;
 }
 
 export interface MeshMeasures {

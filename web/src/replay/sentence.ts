@@ -135,6 +135,8 @@ function queued(e: TraceEvent, name: string, dimension: 2 | 3): string {
       return `${it} is unacceptable: its circumradius, ${formatNumber(e.value)}, exceeds the size bound.`;
     case Reason.regionSize:
       return `${it} is unacceptable: its ${dimension === 2 ? 'area' : 'volume'}, ${formatNumber(e.value)}, exceeds the bound of its region.`;
+    case Reason.sliver:
+      return `${it} is a sliver: its smallest dihedral angle is ${formatNumber(e.value)}°, below the bound.`;
     case Reason.tooLong:
       return `${it} is unacceptable: it is ${formatNumber(e.value)} long, more than twice the shortest segment of its spindle, and vertex ${e.subject} lies inside its ${ball}.`;
     case Reason.yieldedTo:
@@ -181,6 +183,8 @@ function inserted(e: TraceEvent, name: string): string {
       return `${vertex} is inserted on ${name}, a third of the way to the nearest neighbor of its input vertex.${radius}`;
     case Reason.offCenter:
       return `${vertex} is inserted at the off-center of ${name}.${radius}`;
+    case Reason.picked:
+      return `${vertex} is inserted near the circumcenter of ${name}, where it makes slivers fewer.${radius}`;
     case Reason.circumcenter:
       return `${vertex} is inserted at the circumcenter of ${name}.${radius}`;
     default:
@@ -218,6 +222,10 @@ export function refusal(e: TraceEvent, dimension: 2 | 3): string {
       return 'its circumcenter lies outside of its face';
     case Reason.nearSegment:
       return 'its circumcenter would have an end of a segment of the face for a Delaunay neighbor, nearer than that segment is long';
+    case Reason.noRoom:
+      return 'all points tried in its ball encroach upon a segment or a face, or lie outside';
+    case Reason.notImproved:
+      return 'no point tried in its ball leaves fewer slivers and keeps radius-edge ratios and sizes';
     case Reason.frozen:
       return 'it would yield to a subsegment that was refused itself';
     default:
@@ -269,6 +277,8 @@ export function reasonInBrief(e: TraceEvent): string {
       return `R = ${formatNumber(e.value)}`;
     case Reason.regionSize:
       return `area ${formatNumber(e.value)}`;
+    case Reason.sliver:
+      return `dihedral angle ${formatNumber(e.value)}°`;
     case Reason.tooLong:
       return `length ${formatNumber(e.value)}`;
     case Reason.yieldedTo:

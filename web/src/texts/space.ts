@@ -1,5 +1,8 @@
 import { formatCount } from '../words.ts';
 
+const removal =
+  'Tetrahedra with a small dihedral angle, which a good radius-edge ratio does not rule out: where some point of the ball of one makes them fewer, and encroaches upon nothing, it is inserted.';
+
 /** Texts of space: how it is looked at, what is measured and protected in it, one face alone. */
 export const spaceTexts = {
   /** The picture of space. */
@@ -135,6 +138,7 @@ export const spaceTexts = {
         '1': 'Pieces of segments with a vertex in their diametral ball are halved, and triangles of faces with one in their equatorial ball are split: then every face is a union of facets.',
         '1b': 'Tetrahedra inside of the domain are told from those outside.',
         '2': 'Tetrahedra whose circumradius is more than τ times their shortest edge are split, the first that was found first.',
+        slivers: removal,
       },
       collar: {
         '0': 'The input vertices alone are tetrahedralized.',
@@ -145,7 +149,11 @@ export const spaceTexts = {
         '3c': 'Triangles beyond the collars with a vertex in their equatorial ball are split: then every face is a union of facets.',
         '3d': 'Tetrahedra inside of the domain are told from those outside.',
         '3': 'Tetrahedra whose circumradius is more than τ times their shortest edge are split, unless their circumcenters lie in balls of collar simplices alone: these stay (Theorem 6.11), and so it ends.',
+        slivers: removal,
       },
     } as Readonly<Record<string, Readonly<Record<string, string>>>>,
   },
+  /** Below the histogram, of its outline. */
+  slivers: (before: string, now: string, bound: string) =>
+    `before slivers were removed: ${before} tetrahedra with an angle below ${bound}, now ${now}`,
 } as const;
