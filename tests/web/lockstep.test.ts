@@ -137,3 +137,58 @@ function insertionTicks(both: Lockstep, trace: Trace, side: Side): number[] {
     ticks.push(both.tickOf(side, p));
   return ticks;
 }
+
+describe('two runs in step by steps', () => {
+  /** A step of a name, and so many events in it. */
+  const run = (steps: readonly (readonly [string, number])[]): Trace => {
+    const trace = new Trace({ vertexCount: 0, segments: [] });
+    const drafts = steps.flatMap(([, count], step): Draft[] => [
+      { kind: Kind.stepBegan, step },
+      ...Array.from({ length: count - 1 }, () => ({
+        kind: Kind.stepEnded,
+        step,
+        other: [0, 0] as const,
+      })),
+    ]);
+    const { events, simplices } = encode(drafts as Draft[]);
+    trace.append(
+      events,
+      simplices,
+      steps.map(([name]) => name),
+    );
+    return trace;
+  };
+  const a = run([
+    ['0', 10],
+    ['2b', 40],
+    ['2c', 7],
+    ['3', 20],
+  ]);
+  const b = run([
+    ['0', 10],
+    ['2b', 5],
+    ['rings', 9],
+    ['3', 60],
+  ]);
+  const both = new Lockstep([a, b], 'steps');
+  both.extend([true, true]);
+
+  it('begin steps of the same name together', () => {
+    const begun = (tick: number) => both.at(tick);
+    const ticks = Array.from({ length: both.length + 1 }, (_, t) => t);
+    for (const [inA, inB] of [
+      [10, 10],
+      [57, 24],
+      [77, 84],
+    ] as const)
+      expect(ticks.some((t) => begun(t)[0] === inA && begun(t)[1] === inB)).toBe(true);
+  });
+
+  it('never go back, and end together', () => {
+    expect(both.at(0)).toEqual([0, 0]);
+    for (let t = 1; t <= both.length; t++)
+      for (const side of [0, 1] as const)
+        expect(both.at(t)[side]).toBeGreaterThanOrEqual(both.at(t - 1)[side]);
+    expect(both.at(both.length)).toEqual([a.eventCount, b.eventCount]);
+  });
+});

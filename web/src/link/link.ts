@@ -2,7 +2,7 @@ import type { RunOptions } from 'circumball';
 import { deflateSync, inflateSync, strFromU8, strToU8 } from 'fflate';
 import { complexToText, inputFromJson } from '../core/complex-json.ts';
 import { type Corners, isCorners } from '../numerics/triangle.ts';
-import type { Pace } from '../replay/lockstep.ts';
+import { type Pace, paces } from '../replay/lockstep.ts';
 import type { ColorMode, Input, View } from '../shared/types.ts';
 import { isSpaceView, type SharedLook, type SpaceView } from '../space/types.ts';
 
@@ -97,7 +97,7 @@ export function fromHash(hash: string): Shared | null {
 function comparisonOf({ options, pace, tick }: Record<string, unknown>): ComparisonOptions {
   return {
     options: isRecord(options) ? (options as RunOptions) : {},
-    pace: pace === 'share' ? 'share' : 'vertices',
+    pace: paces.find((p) => p === pace) ?? 'vertices',
     tick: isPosition(tick) ? tick : null,
   };
 }

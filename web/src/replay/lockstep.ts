@@ -1,5 +1,5 @@
 import { GrowU32 } from './grow.ts';
-import { type JumpTarget, jump } from './timeline.ts';
+import { bands, type JumpTarget, jump } from './timeline.ts';
 import type { Trace } from './trace.ts';
 
 /**
@@ -7,9 +7,11 @@ import type { Trace } from './trace.ts';
  *   'vertices'  At every tick both have inserted the same number of vertices, until one of them has ended. Between two
  *               insertions the one with fewer events waits, so that both insert at the same tick; every event of
  *               either is at some tick.
+ *   'steps'     Steps of the same name begin together; within them both have done the same share of what they do in them.
  *   'share'     Both begin and end together: at every tick the same share of the events of each has happened.
  */
-export type Pace = 'vertices' | 'share';
+export const paces = ['vertices', 'steps', 'share'] as const;
+export type Pace = (typeof paces)[number];
 
 export type Side = 0 | 1;
 
@@ -29,7 +31,8 @@ export class Lockstep {
 
   /** Takes account of what the traces have grown by; `ended`: they grow no further. */
   extend(ended: readonly [boolean, boolean]): void {
-    if (this.pace === 'share' || this.complete) return;
+    if (this.pace === 'steps') this.takeSteps();
+    if (this.pace !== 'vertices' || this.complete) return;
     for (;;) {
       const a = this.nextEnd(0, ended[0]);
       const b = this.nextEnd(1, ended[1]);
@@ -49,7 +52,7 @@ export class Lockstep {
   }
 
   get length(): number {
-    if (this.pace === 'vertices') return this.total;
+    if (this.pace !== 'share') return this.total;
     return Math.max(this.traces[0].eventCount, this.traces[1].eventCount);
   }
 
@@ -64,6 +67,7 @@ export class Lockstep {
     if (t >= this.total) return [this.ends[0], this.ends[1]];
     const cell = last(this.ticks, (start) => start <= t);
     const into = t - this.ticks.at(cell);
+    if (this.pace === 'steps') return [this.part(0, cell, into), this.part(1, cell, into)];
     return [this.place(0, cell, into), this.place(1, cell, into)];
   }
 
@@ -111,6 +115,44 @@ export class Lockstep {
     return ended ? trace.eventCount : null;
   }
 
+  /** By 'steps': cells begin where steps do that both have. The last one grows as long as the traces do. */
+  private takeSteps(): void {
+    const [a, b] = this.traces.map((t) => bands(t)) as [Bands, Bands];
+    const isShared = (name: string) =>
+      this.traces.every((t) => t.steps.filter((n) => n === name).length === 1);
+    const starts = (list: Bands) => list.filter((band) => isShared(band.name));
+    const [of0, of1] = [starts(a), starts(b)];
+    this.ticks.length = this.starts[0].length = this.starts[1].length = 0;
+    this.total = 0;
+    let from: [number, number] = [0, 0];
+    const cells = Math.min(of0.length, of1.length);
+    for (let k = 0; k <= cells; k++) {
+      const to: [number, number] = [
+        of0[k]?.start ?? this.traces[0].eventCount,
+        of1[k]?.start ?? this.traces[1].eventCount,
+      ];
+      const isLast = k === cells;
+      if (isLast || (of0[k]!.name === of1[k]!.name && (to[0] > from[0] || to[1] > from[1]))) {
+        this.ticks.push(this.total);
+        this.starts[0].push(from[0]);
+        this.starts[1].push(from[1]);
+        this.total += Math.max(to[0] - from[0], to[1] - from[1]);
+        from = to;
+      }
+    }
+    this.ends[0] = from[0];
+    this.ends[1] = from[1];
+  }
+
+  /** By 'steps': the same share of the cell on each side. */
+  private part(side: Side, cell: number, into: number): number {
+    const isLast = cell + 1 === this.ticks.length;
+    const start = this.starts[side].at(cell);
+    const end = isLast ? this.ends[side] : this.starts[side].at(cell + 1);
+    const size = (isLast ? this.total : this.ticks.at(cell + 1)) - this.ticks.at(cell);
+    return start + Math.round((into * (end - start)) / size);
+  }
+
   private place(side: Side, cell: number, into: number): number {
     const start = this.starts[side].at(cell);
     const isLast = cell + 1 === this.ticks.length;
@@ -123,6 +165,8 @@ export class Lockstep {
     return Math.min(end, start + Math.max(0, into - wait));
   }
 }
+
+type Bands = ReturnType<typeof bands>;
 
 /** Is the event that made this position of the sort? */
 function happened(trace: Trace, position: number, target: JumpTarget): boolean {

@@ -112,7 +112,10 @@ export class App {
   readonly inSpace = $derived(this.doc.solid !== null);
   readonly dimension = $derived<2 | 3>(this.inSpace ? 3 : 2);
   readonly algorithms = $derived<readonly AlgorithmInfo[]>(
-    (this.hello?.algorithms ?? []).filter((a) => a.dimension === this.dimension),
+    (this.hello?.algorithms ?? [])
+      .filter((a) => a.dimension === this.dimension)
+      // The page knows where it is.
+      .map((a) => ({ ...a, title: a.title.replace(/ in space$/, '') })),
   );
   readonly algorithm = $derived(this.algorithms.find((a) => a.id === this.parameters.algorithm));
   /** The finished or growing run is about the input as it is drawn now. */
@@ -223,7 +226,8 @@ export class App {
     if (!this.hello) await this.begin();
     const second = this.comparison.open({
       options: asked?.options ?? this.counterpart(),
-      pace: asked?.pace ?? 'vertices',
+      // Steps in space have names in common, and take very different numbers of vertices.
+      pace: asked?.pace ?? (this.inSpace ? 'steps' : 'vertices'),
     });
     this.tab = 'compare';
     if (!this.fresh) return;
@@ -426,8 +430,10 @@ export class App {
   private counterpart(): RunOptions {
     const own = this.first.parameters.options(this.algorithms);
     if (this.inSpace) {
-      const other = this.algorithms.find((a) => a.id !== own.algorithm);
-      return { ...own, ...(other ? { algorithm: other.id } : {}) };
+      const others = this.algorithms.filter((a) => a.id !== own.algorithm).map((a) => a.id);
+      const like = ['collar', 'intestine-structured', 'intestine', 'ruppert', others[0]];
+      const other = like.find((id) => id !== undefined && others.includes(id));
+      return { ...own, ...(other ? { algorithm: other } : {}) };
     }
     if (own.algorithm === 'collar') return { ...own, algorithm: 'ruppert' };
     const smallest = this.first.run.report?.input.smallest_angle_degrees ?? 0;

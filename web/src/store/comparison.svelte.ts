@@ -114,7 +114,7 @@ export class Comparison {
   /** Has a run nothing to do at this tick, as the other one has more to do between two insertions? */
   isWaiting(pane: Pane): boolean {
     const { lockstep, position } = this.clock;
-    if (!lockstep || this.pace === 'share' || position === 0) return false;
+    if (!lockstep || this.pace !== 'vertices' || position === 0) return false;
     const side = pane === this.first ? 0 : 1;
     return lockstep.at(position)[side] === lockstep.at(position - 1)[side];
   }

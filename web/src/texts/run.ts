@@ -145,10 +145,12 @@ export const runTexts = {
       cancelled: 'Stopped.',
     },
     inStep: 'In step by',
-    paces: { vertices: 'inserted vertices', share: 'share of the run' },
+    paces: { vertices: 'inserted vertices', steps: 'steps', share: 'share of the run' },
     paceHints: {
       vertices:
         'Both have inserted the same number of vertices at every moment. Between two insertions the one with less to do waits; who has ended stays as it is.',
+      steps:
+        'Steps of the same name begin together: within them each has done the same share of what it does there.',
       share: 'Both begin and end together: each has done the same share of all that it does.',
     },
     table: 'Differences',
