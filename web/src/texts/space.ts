@@ -66,9 +66,9 @@ export const spaceTexts = {
       `in the ball of ${name}, a collar simplex${others === 0 ? '' : `, and of ${formatCount(others)} more`} (Theorem 6.11)`,
     free: 'in no ball of a collar simplex',
     legend: {
-      collar: 'Collar: its triangles, segments and arcs',
-      piece: 'Protected piece of a segment',
-      surface: 'Sphere or tube that protects',
+      collar: 'Collar',
+      piece: 'Protected piece',
+      surface: 'Sphere or tube',
     },
   },
   /** Feature sizes of a subsegment in space. */
