@@ -64,6 +64,17 @@ TEST(Definition2_1_7InSpace, IsLocalAtEndSegmentsAndMeshElsewhere) {
   EXPECT_FALSE(sizes.is_input_vertex({0, 0.5, 0.75}));
 }
 
+/// A side of a loop is in the face, also where the face does not list the segment.
+TEST(FeatureSizes3, ClearanceOfASideOfALoopIsNotFromItsOwnFace) {
+  Complex c;
+  c.dimension = 3;
+  c.vertices = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {2, 0, 1}};
+  c.segments = {{0, 1}};
+  c.faces.emplace_back();
+  c.faces[0].loops = {{0, 1, 2, 3}};
+  EXPECT_EQ(FeatureSizes3(c).clearance({1.5, 0, 0}, {2.5, 0, 0}, 0).radius, 1);
+}
+
 TEST(FeatureSizes3, ClearanceIsTheDistanceToFeaturesThatDoNotContainTheSegment) {
   const Complex c = two_plates(0.25);
   const FeatureSizes3 sizes(c);

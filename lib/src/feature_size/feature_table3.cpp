@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "complex/planar_sweep.h"
@@ -81,12 +82,14 @@ Table::FeatureTable(const Complex& complex, const FeatureSizes3::Filter& filter)
   vertex_tree = BoxTree3(boxes);
   edges = vertices;
   first_of = first_of_segments(complex);
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> by_ends;
   for (std::uint32_t s = 0; s < complex.segments.size(); ++s) {
     const Feature segment{FeatureKind::kSegment, s};
     if (first_of[s] != s || (filter && !filter(segment))) continue;
     const auto& e = complex.segments[s];
     const Point3 &p = complex.vertices[e[0]], &q = complex.vertices[e[1]];
     edges.push_back({{p, q, q}, 2, segment, e[0], e[1]});
+    by_ends[std::minmax(e[0], e[1])] = s;
     boxes.push_back(Box3::of(p, q));
   }
   edge_tree = BoxTree3(boxes);
@@ -106,6 +109,12 @@ Table::FeatureTable(const Complex& complex, const FeatureSizes3::Filter& filter)
     face_vertices[f] = std::move(of_face);
     for (const std::uint32_t s : complex.faces[f].segments)
       if (first_of[s] != kNoIndex) face_segments[f].push_back(first_of[s]);
+    for (const auto& loop : complex.faces[f].loops) {
+      for (std::size_t k = 0; k < loop.size(); ++k) {
+        const auto side = by_ends.find(std::minmax(loop[k], loop[(k + 1) % loop.size()]));
+        if (side != by_ends.end()) face_segments[f].push_back(side->second);
+      }
+    }
     sort_unique(&face_segments[f]);
   }
   feature_tree = BoxTree3(std::move(boxes));
