@@ -22,7 +22,8 @@ struct VerifyOptions {
   std::string domain = "closed";  ///< "hull", "box" or "closed": what the mesh should cover
   bool protect_all =
       false;  ///< collars, intestines: at every input vertex, not at acute angles only
-  std::vector<std::string> checks;  ///< which; empty: all that apply
+  std::optional<double> size_factor;  ///< in space: the c of (H2), for "protection"; none: 1
+  std::vector<std::string> checks;    ///< which; empty: all that apply
   /// Cells (sorted vertex numbers) that the run reported as rightly refused: not counted by the
   /// quality checks.
   std::vector<std::vector<std::uint32_t>> excused;
@@ -61,6 +62,8 @@ struct Check {
 /// tile the convex hull), "input-vertices", "input-segments", "input-faces" (every input face is a
 /// union of facets of the mesh on each of its sides, counted combinatorially), "volume" (volumes of
 /// the cells add up to what their boundary encloses, and for box to the box), "radius-edge",
+/// "protection" (collars: (H2) and (H3) for all protected subsegments, feature sizes by definition;
+/// and Lemma 6.9 I: no vertex in their balls, nor in those of the facets of faces at them),
 /// "segment-lower" (Theorem 4.1: min(fs_1(s)/16, lfs(s)/4) <= |s| for every subsegment s) and
 /// "segment-upper" (Theorem 4.2: |s| <= min(sqrt 2 fs_1(s), 5/3 lfs(s))), feature sizes by
 /// definition.

@@ -136,8 +136,8 @@ std::vector<AlgorithmInfo> algorithms_in_space() {
       "a "
       "union of facets; and the circumcenter of every tetrahedron with a radius-edge ratio above "
       "$\\tau$ lies in the ball of a collar simplex (Theorem 6.11).";
-  collar.checks = {"topology",    "delaunay", "input-vertices", "input-segments",
-                   "input-faces", "volume",   "radius-edge",    "collar"};
+  collar.checks = {"topology", "delaunay",    "input-vertices", "input-segments", "input-faces",
+                   "volume",   "radius-edge", "collar",         "protection"};
   return {delaunay, feature_size, ruppert, collar};
 }
 

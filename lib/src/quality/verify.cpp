@@ -54,6 +54,7 @@ constexpr Entry<VerifyContext3> kChecks3[] = {
     {"volume", check_volume, always, always},
     {"radius-edge", check_radius_edge, has_tau, has_tau},
     {"collar", check_collar, asked_only, has_tau},
+    {"protection", check_protection, asked_only, always},
     {"segment-lower", check_segment_lower, asked_only, always},
     {"segment-upper", check_segment_upper, asked_only, always},
 };

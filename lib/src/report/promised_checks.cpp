@@ -55,6 +55,15 @@ VerifyOptions promised_checks(const Run& run) {
   const auto& parameters = run.options().parameters;
   const auto protect = parameters.find("protect");
   result.protect_all = protect != parameters.end() && protect->second == "all";
+  const auto factor = parameters.find("size-factor");
+  if (factor != parameters.end()) {
+    result.size_factor = std::strtod(factor->second.c_str(), nullptr);
+    // Algorithm 4.1 and halves leave end segments of up to 5/6 lfs (Theorem 4.2).
+    const auto sizes = parameters.find("sizes");
+    if (sizes != parameters.end() && sizes->second == "estimate") {
+      result.size_factor = std::max(*result.size_factor, 5.0 / 6);
+    }
+  }
   for (const Unresolved& unresolved : run.unresolved(static_cast<std::size_t>(-1))) {
     if (unresolved.simplex.size() != static_cast<std::size_t>(dimension) + 1) continue;
     if (!rightly_refused(unresolved, run.status())) continue;
