@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { fromHash, type Shared, toHash } from '../../web/src/link/link.ts';
+import { defaultLook } from '../../web/src/space/types.ts';
 
 const shared: Shared = {
   complex: {
@@ -43,6 +44,26 @@ describe('a link', () => {
       options: {},
       pace: 'vertices',
       tick: null,
+    });
+  });
+
+  it('restores camera, cut and layers of space, and the face that is shown alone', () => {
+    const space = {
+      view: { target: [1, -2, 0.1], azimuth: 33, elevation: -12, scale: 1e-3 },
+      look: {
+        ...defaultLook,
+        clip: { axis: 'y', normal: [0, 1, 0], offset: 0.25, flipped: true, exact: true },
+        surfaces: false,
+        collars: true,
+      },
+      face: 7,
+    } as const;
+    expect(fromHash(toHash({ ...shared, space }))).toEqual({ ...shared, space });
+    const strange = { view: 'up', look: null, face: -3 } as never;
+    expect(fromHash(toHash({ ...shared, space: strange }))!.space).toEqual({
+      view: null,
+      look: {},
+      face: null,
     });
   });
 

@@ -12,6 +12,7 @@ export interface SpaceRun {
   readonly complex: Complex3; // what it refines: with the box, if there is one
   readonly text: string; // the same for the core
   readonly frames: Float64Array; // of its faces
+  readonly unresolved: readonly (readonly number[])[];
 }
 
 const folder = fileURLToPath(new URL('../../examples/', import.meta.url));
@@ -34,7 +35,8 @@ export function spaceRun(core: CircumballModule, file: string, options: object =
     trace.append(chunk.events, chunk.simplices, chunk.steps);
   }
   const text = core.runComplex(start.run);
+  const unresolved = core.report(start.run, false)?.unresolved.map((u) => u.simplex) ?? [];
   core.release(start.run);
   const complex = inputFromJson(JSON.parse(text)) as Complex3;
-  return { trace, input, complex, text, frames: core.faceFrames(text) };
+  return { trace, input, complex, text, frames: core.faceFrames(text), unresolved };
 }

@@ -16,8 +16,15 @@ export interface Shared {
   readonly overlays?: readonly string[]; // of the theory, by name
   readonly compare?: ComparisonOptions;
   readonly numerics?: NumericsOptions; // what is measured on the mesh
-  readonly space?: { readonly view: SpaceView | null; readonly look: SharedLook }; // how space is looked at
+  readonly space?: SharedSpace;
   readonly triangle?: TriangleOptions; // the triangle laboratory is open
+}
+
+/** How space is looked at. */
+export interface SharedSpace {
+  readonly view: SpaceView | null;
+  readonly look: SharedLook;
+  readonly face?: number | null; // that is shown alone; null: none
 }
 
 /** A second algorithm beside the first one. */
@@ -79,6 +86,7 @@ export function fromHash(hash: string): Shared | null {
             space: {
               view: isSpaceView(space.view) ? space.view : null,
               look: isRecord(space.look) ? (space.look as SharedLook) : {},
+              face: isPosition(space.face) ? space.face : null,
             },
           }
         : {}),

@@ -284,6 +284,11 @@ export class App {
     const tick = shared.compare?.tick ?? null;
     if (shared.moment !== null) await this.refine({ moment: shared.moment, tick });
     else if (!shared.triangle && !this.inSpace) this.mode = 'draw';
+    // A run tells how many faces there are.
+    if (shared.space) {
+      if (shared.space.face == null) this.face.close();
+      else this.face.show(shared.space.face);
+    }
     // After the run: a mesh that is no run's is left when the playhead moves.
     if (shared.numerics) {
       this.numerics.adopt(shared.numerics);
@@ -305,7 +310,13 @@ export class App {
       moment: this.fresh ? this.first.playback.position : null,
       view: this.first.picture?.getView() ?? null,
       ...(this.inSpace
-        ? { space: { view: this.first.spacePicture?.getView() ?? null, look: this.look.shared() } }
+        ? {
+            space: {
+              view: this.first.spacePicture?.getView() ?? null,
+              look: this.look.shared(),
+              face: this.face.open ? this.face.index : null,
+            },
+          }
         : {}),
       color: this.settings.color,
       overlays: this.settings.shownOverlays,

@@ -175,6 +175,7 @@ export function keepSaved(app: App): void {
       app.doc.input,
       app.doc.title,
       app.look.shared(),
+      app.face.open && app.face.index,
       app.settings.color,
       app.settings.overlays,
     ];
