@@ -77,6 +77,7 @@ enum class Reason : std::uint8_t {
   kNearVertex =
       12,        ///< a vertex of this triangle of a face has a Delaunay neighbor `subject` outside
                  ///< of the face, nearer than its circumdiameter (4.3); `value` = that distance
+  kWide = 13,  ///< a patch of a sphere has an angular radius above 45 degrees
   kSliver = 15,  ///< `value` = smallest dihedral angle in degrees < the bound
   // where a vertex was inserted
   kInput = 16,         ///< an input vertex (step 0)
@@ -91,6 +92,9 @@ enum class Reason : std::uint8_t {
   kEqualLength = 25,   ///< on a segment, so that adjacent segments get pieces of equal lengths
   kShell = 26,         ///< on a segment, on a concentric shell about its input vertex
   kThird = 27,         ///< on a segment, a third of N(q0) from its input vertex q0 (4.1, step 1a)
+  kRing = 28,          ///< on a ring about a segment that is protected
+  kSeed = 29,          ///< on the sphere about a protected input vertex, where nothing else is near
+  kSurface = 30,       ///< the projection of a circumcenter onto the sphere or tube of its patch
   kPicked = 31,        ///< near the circumcenter of a tetrahedron, so that slivers become fewer
   // why a simplex was refused
   kOutsideDomain = 32,  ///< its circumcentre lies outside what is meshed

@@ -1,5 +1,7 @@
 #include "algorithms/collar3.h"
+#include "algorithms/draw_intestines.h"
 #include "algorithms/feature_size3.h"
+#include "algorithms/intestine3.h"
 #include "algorithms/plan.h"
 #include "algorithms/protect3.h"
 #include "algorithms/ruppert3.h"
@@ -37,8 +39,8 @@ std::unique_ptr<Stage3> remove_slivers(const Settings& settings) {
 
 std::vector<std::unique_ptr<Stage3>> plan_in_space(const Settings& settings) {
   std::vector<std::unique_ptr<Stage3>> steps;
-  steps.push_back(
-      insert_vertices_in_space(settings.algorithm == "ruppert" || settings.algorithm == "collar"));
+  steps.push_back(insert_vertices_in_space(settings.algorithm != "delaunay" &&
+                                           settings.algorithm != "feature-size"));
   if (settings.algorithm == "feature-size") {
     steps.push_back(split_at_thirds());
     steps.push_back(loop("1b", "Estimate the 1-feature size on all segments", FeatureSize1b{}));
@@ -60,6 +62,23 @@ std::vector<std::unique_ptr<Stage3>> plan_in_space(const Settings& settings) {
     rules.quality.tau = settings.tau;
     rules.quality.size = settings.size;
     steps.push_back(loop("3", "Refinement with collar", rules));
+  } else if (settings.algorithm == "intestine" || settings.algorithm == "intestine-structured") {
+    SegmentSizes sizes;
+    sizes.all = settings.protect_all;
+    sizes.box = false;
+    sizes.estimate = settings.estimate_sizes;
+    sizes.clearance = 0.45;
+    sizes.graded = true;
+    steps.push_back(prepare_segments(sizes));
+    steps.push_back(draw_intestines(settings.algorithm != "intestine"));
+    steps.push_back(loop("3a", "Split encroached arcs and collar segments", IntestineElements3{}));
+    steps.push_back(label_collars());
+    steps.push_back(loop("3c", "Split encroached patches and triangles", IntestineFaces3{}));
+    steps.push_back(classify_cells("3d"));
+    Intestine3 rules;
+    rules.quality.tau = settings.tau;
+    rules.quality.size = settings.size;
+    steps.push_back(loop("3", "Refinement with intestines", rules));
   } else if (settings.algorithm == "ruppert") {
     steps.push_back(loop("1", "Split encroached segments and triangles of faces", Conform3{}));
     steps.push_back(classify_cells("1b"));

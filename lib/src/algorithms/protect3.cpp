@@ -106,10 +106,15 @@ class PrepareSegments final : public Stage3 {
       for (std::uint32_t v = 0; v < vertices_.size(); ++v) vertices_[v] = acute.vertex(v);
       return;
     }
-    segments_.assign(segments_.size(), true);
+    for (std::uint32_t s = 0; s < segments_.size(); ++s) {
+      const auto& ends = complex.segments[s];
+      segments_[s] = wanted_.box || !live.is_box_corner(VertexId(ends[0])) ||
+                     !live.is_box_corner(VertexId(ends[1]));
+    }
     for (std::uint32_t v = 0; v < vertices_.size(); ++v) {
       vertices_[v] =
-          incidence.segments_of_vertex(v).size() > 0 || incidence.faces_of_vertex(v).size() > 1;
+          (wanted_.box || !live.is_box_corner(VertexId(v))) &&
+          (incidence.segments_of_vertex(v).size() > 0 || incidence.faces_of_vertex(v).size() > 1);
     }
   }
 

@@ -11,6 +11,7 @@ namespace circumball {
 /// What is protected, and how short its pieces are to be.
 struct SegmentSizes {
   bool all = true;        ///< every vertex and segment, or only those of acute angles
+  bool box = true;        ///< those of the box as well
   bool estimate = false;  ///< by Algorithm 4.1, or by distances to features
   /// The c of (H2). The thesis has c < 1, and 0.9 would do elsewhere; but rule 2 puts a vertex at
   /// height eta |s'| on the circle about q0, for both of two segments at q0, and eta c < 1/2 keeps

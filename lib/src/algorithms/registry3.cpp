@@ -138,7 +138,42 @@ std::vector<AlgorithmInfo> algorithms_in_space() {
       "$\\tau$ lies in the ball of a collar simplex (Theorem 6.11).";
   collar.checks = {"topology", "delaunay",    "input-vertices", "input-segments", "input-faces",
                    "volume",   "radius-edge", "collar",         "protection"};
-  return {delaunay, feature_size, ruppert, collar};
+
+  AlgorithmInfo structured = ruppert;
+  structured.id = "intestine-structured";
+  structured.title = "Refinement with intestines in space, by rings";
+  structured.thesis = "Algorithms 6.1 and 6.4";
+  structured.parameters[0].default_value = "2.3";
+  structured.parameters.push_back({"protect", "acute", "acute|all", "",
+                                   "which input vertices and segments are protected: the acutely "
+                                   "adjacent, or all but those of the box"});
+  structured.action =
+      "Split segments until they are short against their feature sizes (Algorithm 4.1), end "
+      "segments at a vertex alike; put spheres about input vertices and rings about segments, "
+      "whose "
+      "tubes keep them apart from the rest. Then insert the circumcenter of a simplex, unless it "
+      "encroaches upon the ball of a simplex, arc or patch of lower dimension: this is queued "
+      "instead. Arcs are split at their midpoint, patches of spheres at their circumcenter on the "
+      "sphere; where a collar segment or a patch of a tube is to be split, a ring is put in the "
+      "middle between its two.";
+  structured.priority =
+      "Simplices are prioritized by dimension, lower ones are processed first; patches of spheres "
+      "and tubes before triangles of faces.";
+  structured.unacceptability =
+      "Outside of the intestine, an arc, a collar segment, a patch or a triangle of a face is "
+      "unacceptable if its smallest ball is not empty, and a patch of a sphere if its angular "
+      "radius is above 45 degrees. A tetrahedron is unacceptable if its radius-edge ratio is "
+      "greater than $\\tau$.";
+  structured.safety =
+      "It is safe to split any simplex outside of the intestine and on its surface.";
+  structured.guarantee =
+      "When it ends, every segment is a union of edges and every face a union of facets, and every "
+      "tetrahedron outside of spheres and tubes has a radius-edge ratio of at most $\\tau$ "
+      "(Theorem "
+      "6.14). No complex was met where it does not end; that it always does is Conjecture 6.16.";
+  structured.checks = {"topology",    "delaunay", "input-vertices", "input-segments",
+                       "input-faces", "volume",   "radius-edge"};
+  return {delaunay, feature_size, ruppert, collar, structured};
 }
 
 }  // namespace circumball

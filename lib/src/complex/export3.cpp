@@ -98,10 +98,11 @@ Mesh export_mesh(Live3* live, std::uint32_t input_vertices) {
   std::vector<CellSlot> scratch;
   for (std::uint32_t i = 0; i < live->subsegment_count(); ++i) {
     const Subsegment& u = live->subsegment(SubsegmentId(i));
-    if (!u.alive) continue;
+    if (!u.alive || u.is_ring_arc()) continue;
     if (live->classified() && !edge_is_in_domain(*live, u.a, u.b, &scratch)) continue;
     mesh.edges.push_back({u.a.value, u.b.value, u.segment.value});
-    if (segment_markers) mesh.edge_markers.push_back(complex.segment_markers[u.segment.value]);
+    if (!segment_markers) continue;
+    mesh.edge_markers.push_back(u.segment.valid() ? complex.segment_markers[u.segment.value] : 0);
   }
   carry_attributes(complex, &mesh);
   return mesh;

@@ -221,6 +221,7 @@ std::array<SubsegmentId, 2> Live3::split(SubsegmentId s, VertexId m) {
   Subsegment first{old.a, m, old.segment}, second{m, old.b, old.segment};
   first.center = second.center = old.center;
   first.face = second.face = old.face;
+  first.ring = second.ring = old.ring;
   for (const VertexId end : {old.a, old.b}) {
     auto& at = incident_[end.value];
     at.erase(std::find(at.begin(), at.end(), s));
@@ -406,6 +407,7 @@ std::size_t Live3::bytes() const {
                       incident_.capacity() * sizeof(incident_[0]) +
                       (locals_.capacity() + local_first_.capacity()) * sizeof(std::uint32_t);
   for (const FaceRefinement& face : faces_) bytes += face.bytes();
+  if (intestine_) bytes += intestine_->bytes();
   for (const auto& at : incident_) bytes += at.capacity() * sizeof(SubsegmentId);
   return bytes;
 }

@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "circumball/complex.h"
 #include "complex/domain_label.h"
 #include "complex/face_refinement.h"
+#include "complex/intestines.h"
 #include "complex/subsegment.h"
 #include "delaunay/delaunay3.h"
 
@@ -147,6 +149,17 @@ class Live3 {
   /// Labels all triangles of faces. After all collar elements are edges.
   void label_collars();
 
+  // --- intestines (thesis, 6.3): arcs of rings are kept like subsegments
+  /// From now on there are protecting surfaces.
+  void begin_intestine(bool structured) { intestine_ = std::make_unique<Intestines>(structured); }
+  bool has_intestine() const { return intestine_ != nullptr; }
+  Intestines& intestine() { return *intestine_; }
+  const Intestines& intestine() const { return *intestine_; }
+  SubsegmentId create_ring_arc(VertexId a, VertexId b, std::uint32_t ring);
+  /// Whether it is on a protected segment, or a protected input vertex: inside, no Delaunay
+  /// simplex at it is refined.
+  bool is_in_intestine(VertexId v) const;
+
   // --- faces
   std::uint32_t face_count() const { return static_cast<std::uint32_t>(faces_.size()); }
   FaceRefinement& face(std::uint32_t f) { return faces_[f]; }
@@ -222,6 +235,7 @@ class Live3 {
   std::vector<double> protection_radii_;  // by input vertex
   std::vector<bool> protected_segments_;  // by input segment
   bool tracks_collars_ = false;
+  std::unique_ptr<Intestines> intestine_;
   std::vector<TriangleId> stack_;  // scratch
   bool classified_ = false;
   double rounding_ = 0;

@@ -30,6 +30,22 @@ SubsegmentId Live3::create_collar_element(VertexId a, VertexId b, std::uint32_t 
   return s;
 }
 
+SubsegmentId Live3::create_ring_arc(VertexId a, VertexId b, std::uint32_t ring) {
+  Subsegment element{a, b, SegmentId()};
+  element.ring = ring;
+  const SubsegmentId s(subsegment_count());
+  subsegments_.push_back(element);
+  link(s);
+  return s;
+}
+
+bool Live3::is_in_intestine(VertexId v) const {
+  const Feature& f = feature(v);
+  return f.kind == FeatureKind::kSegment  ? is_protected(SegmentId(f.index))
+         : f.kind == FeatureKind::kVertex ? is_protected(v)
+                                          : false;
+}
+
 void Live3::tag_edges(SubsegmentId s) {
   const Subsegment& u = subsegments_[s.value];
   const auto tag = [&](std::uint32_t f) {
@@ -37,6 +53,7 @@ void Live3::tag_edges(SubsegmentId s) {
     const HalfEdge h = dt.find_edge(local(u.a, f), local(u.b, f));
     if (h != kNone) dt.set_tag(h, s.value);
   };
+  if (u.is_ring_arc()) return;
   if (u.is_collar_element()) return tag(u.face);
   for (const std::uint32_t f : incidence_.faces_of_segment(u.segment.value)) tag(f);
 }

@@ -21,6 +21,10 @@ struct Subsegment {
   /// In space, of a collar segment or collar arc (thesis, Table 6.1): the face that it lies in. It
   /// lies on no input segment.
   std::uint32_t face = kNoIndex;
+  /// In space, of an arc of a ring (thesis, 6.3.1): its number in the intestine. It lies on no
+  /// input segment and in no face.
+  std::uint32_t ring = kNoIndex;
+  bool is_ring_arc() const { return ring != kNoIndex; }
   bool is_collar_element() const { return face != kNoIndex; }
   bool is_arc() const { return center.valid(); }
 };

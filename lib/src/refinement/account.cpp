@@ -56,6 +56,15 @@ Unresolved account_for(const Live3& live, const FaceTriangle& t, Reason rule, Re
   return account(live, simplex, rule, refusal, stop);
 }
 
+Unresolved account_for(const Live3& live, PatchId id, Reason rule, Reason refusal,
+                       const std::string& stop) {
+  std::vector<std::uint32_t> simplex;
+  for (const VertexId v : live.intestine().patch(id).v) {
+    if (v.valid()) simplex.push_back(v.value);
+  }
+  return account(live, simplex, rule, refusal, stop);
+}
+
 Unresolved account_for(const Live3& live, const CellRef& c, Reason rule, Reason refusal,
                        const std::string& stop) {
   std::vector<std::uint32_t> simplex;

@@ -20,6 +20,8 @@ Unresolved account_for(const Live3& live, SubsegmentId s, Reason rule, Reason re
                        const std::string& stop);
 Unresolved account_for(const Live3& live, const FaceTriangle& t, Reason rule, Reason refusal,
                        const std::string& stop);
+Unresolved account_for(const Live3& live, PatchId p, Reason rule, Reason refusal,
+                       const std::string& stop);
 Unresolved account_for(const Live3& live, const CellRef& c, Reason rule, Reason refusal,
                        const std::string& stop);
 

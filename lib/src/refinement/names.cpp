@@ -108,6 +108,14 @@ const char* name(Reason reason) {
       return "no-room";
     case Reason::kNotImproved:
       return "not-improved";
+    case Reason::kWide:
+      return "wide";
+    case Reason::kRing:
+      return "ring";
+    case Reason::kSeed:
+      return "seed";
+    case Reason::kSurface:
+      return "surface";
     case Reason::kOutsideFace:
       return "outside-face";
     case Reason::kNearSegment:

@@ -12,6 +12,13 @@ Event Recorder3::of(EventKind kind, const FaceTriangle& t) const {
   return e;
 }
 
+Event Recorder3::of(EventKind kind, PatchId p) const {
+  Event e = blank(kind);
+  e.dimension = 2;
+  for (int i = 0; i < 3; ++i) e.simplex[i] = live_.intestine().patch(p).v[i].value;
+  return e;
+}
+
 Event Recorder3::of(EventKind kind, const CellRef& c) const {
   Event e = blank(kind);
   e.dimension = 3;

@@ -32,6 +32,12 @@ class Recorder3 : public RecorderBase<Recorder3, Point3> {
     send_yielded(of(EventKind::kYielded, proposer), at, to.face, face.global(v[0]),
                  face.global(v[1]), face.global(v[2]));
   }
+  template <class Simplex>
+  void yielded(const Simplex& proposer, const Point3& at, PatchId to) {
+    if (!sink_) return;
+    const Patch& p = live_.intestine().patch(to);
+    send_yielded(of(EventKind::kYielded, proposer), at, kNoIndex, p.v[0], p.v[1], p.v[2]);
+  }
   /// Cells that got another label while they live.
   void relabeled(const std::vector<RelabeledCell>& cells);
   /// The triangles of a face as they are when its refinement begins.
@@ -51,6 +57,7 @@ class Recorder3 : public RecorderBase<Recorder3, Point3> {
   Event of(EventKind kind, const CellRef& c) const;
   Event of(EventKind kind, const FaceTriangle& t) const;
   Event of(EventKind kind, SubsegmentId s) const;
+  Event of(EventKind kind, PatchId p) const;
   std::uint32_t traced(std::uint32_t label) const;
   bool append(const Delaunay3::Cell& cell);
   void send_yielded(Event e, const Point3& at, std::uint32_t subject, VertexId a, VertexId b,

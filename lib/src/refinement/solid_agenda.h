@@ -12,6 +12,12 @@
 
 namespace circumball {
 
+/// Whether rules look at patches of intestines: they say so by a member kPatches.
+template <class Rules, class = void>
+struct HasPatches : std::false_type {};
+template <class Rules>
+struct HasPatches<Rules, std::void_t<decltype(Rules::kPatches)>> : std::true_type {};
+
 /// What the loop needs to know of space where rules look at subsegments, triangles of faces and
 /// tetrahedra (chapter 6): simplices wait by dimension, lower first; of one dimension who was
 /// queued first goes first. Of `Rules` it asks, beside the four:
@@ -19,20 +25,28 @@ namespace circumball {
 /// - encroached_by(SolidView, simplex, VertexId v) -> Verdict: as `unacceptable`, of subsegments
 /// and
 ///   triangles, where only v is new
+/// - kPatches, if there are intestines: patches wait behind dimension 1, before triangles of faces
 template <class Rules>
 class SolidAgenda {
  public:
   static constexpr bool kNeedsBegin = false;
   static constexpr bool kYields = true;
   void begin(Live3&) {}
-  bool empty() const { return segments_.empty() && triangles_.empty() && cells_.empty(); }
-  std::size_t size() const { return segments_.size() + triangles_.size() + cells_.size(); }
+  bool empty() const { return size() == 0; }
+  std::size_t size() const {
+    return segments_.size() + patches_.size() + triangles_.size() + cells_.size();
+  }
 
   /// Calls f for all that the rules look at: subsegments, triangles of faces, tetrahedra; by birth.
   template <class F>
   void for_each_simplex(const Live3& live, const Rules&, F f) const {
     for (std::uint32_t i = 0; i < live.subsegment_count(); ++i) {
       if (live.subsegment(SubsegmentId(i)).alive) f(SubsegmentId(i));
+    }
+    if constexpr (HasPatches<Rules>::value) {
+      for (std::uint32_t i = 0; live.has_intestine() && i < live.intestine().patch_count(); ++i) {
+        if (live.intestine().patch(PatchId(i)).alive) f(PatchId(i));
+      }
     }
     const auto by_birth = [](const auto& a, const auto& b) { return a.birth < b.birth; };
     std::vector<FaceTriangle> triangles;
@@ -77,15 +91,29 @@ class SolidAgenda {
     cells_.push(c);
     return true;
   }
+  bool push(const SolidView&, const Rules&, PatchId p, const Verdict&) {
+    if (patch_waits_.size() <= p.value) patch_waits_.resize(p.value + p.value / 2 + 1, false);
+    if (patch_waits_[p.value]) return false;
+    patch_waits_[p.value] = true;
+    patches_.push({p, {}});
+    return true;
+  }
   /// Why a simplex is unacceptable still that was when it was queued: nothing is remembered.
   template <class Simplex>
   Verdict remembered(const SolidView&, const Rules&, const Simplex&) const {
     return {};
   }
-  void push_yielded(SubsegmentId s, const FaceTriangle& t) { segments_.push({s, {t, {}}}); }
-  void push_yielded(SubsegmentId s, const CellRef& c) { segments_.push({s, {{}, c}}); }
-  void push_yielded(const FaceTriangle& t, const CellRef& c) { triangles_.push({t, {{}, c}}); }
-  void push_yielded(const FaceTriangle&, const FaceTriangle&) {}  // triangles yield to segments
+  void push_yielded(SubsegmentId s, const FaceTriangle& t) { segments_.push({s, {t, {}, {}}}); }
+  void push_yielded(SubsegmentId s, const CellRef& c) { segments_.push({s, {{}, c, {}}}); }
+  void push_yielded(SubsegmentId s, PatchId p) { segments_.push({s, {{}, {}, p}}); }
+  void push_yielded(const FaceTriangle& t, const CellRef& c) { triangles_.push({t, {{}, c, {}}}); }
+  void push_yielded(PatchId p, const CellRef& c) { patches_.push({p, {{}, c, {}}}); }
+  // Triangles and patches yield to dimension 1 only.
+  template <class Simplex>
+  void push_yielded(const FaceTriangle&, const Simplex&) {}
+  template <class Simplex>
+  void push_yielded(PatchId, const Simplex&) {}
+  void push_front(PatchId p, double) { patches_.push_front({p, {}}); }
   void push_front(const FaceTriangle& t, double) { triangles_.push_front({t, {}}); }
   void push_front(const CellRef& c, double) { cells_.push_front(c); }
 
@@ -98,6 +126,13 @@ class SolidAgenda {
         segment_waits_[item.subsegment.value] = false;
       }
       return f(item.subsegment, item.proposer);
+    }
+    if constexpr (HasPatches<Rules>::value) {
+      if (!patches_.empty()) {
+        const QueuedPatch item = patches_.pop();
+        if (item.patch.value < patch_waits_.size()) patch_waits_[item.patch.value] = false;
+        return f(item.patch, item.proposer);
+      }
     }
     if (!triangles_.empty()) {
       const QueuedTriangle item = triangles_.pop();
@@ -115,6 +150,7 @@ class SolidAgenda {
   void refused(Live3& live, SubsegmentId s, Reason) { live.freeze(s); }
   void refused(Live3& live, const FaceTriangle& t, Reason) { live.freeze(t); }
   void refused(Live3&, const CellRef&, Reason) {}
+  void refused(Live3& live, PatchId p, Reason) { live.intestine().freeze(p); }
 
   /// Inserts the point of p, just looked at, to split s; calls queue(simplex, verdict) for what
   /// became unacceptable.
@@ -134,15 +170,9 @@ class SolidAgenda {
       w.recorder.protection_split(s, halves);
       for (const SubsegmentId half : halves) ask(half, rules.unacceptable(view, half));
     }
-    ask_in_faces(w.live, view, rules, v, ask);
-    ask_dead(w.live, view, rules, v, ask);
-    if constexpr (Rules::kTetrahedra) {
-      const Delaunay3& dt = w.live.triangulation();
-      for (const CellSlot c : dt.born()) {
-        if (!w.live.is_in_domain(c)) continue;
-        const CellRef born{c, dt.cell(c).birth};
-        ask(born, rules.unacceptable(view, born));
-      }
+    ask_about(w.live, view, rules, v, ask);
+    if constexpr (HasPatches<Rules>::value) {
+      grow_intestine(w, view, rules, s, v, ask);
     }
   }
 
@@ -163,6 +193,10 @@ class SolidAgenda {
   }
 
  private:
+  struct QueuedPatch {
+    PatchId patch;
+    Proposer3 proposer;
+  };
   struct QueuedSegment {
     SubsegmentId subsegment;
     Proposer3 proposer;
@@ -171,6 +205,112 @@ class SolidAgenda {
     FaceTriangle triangle;
     Proposer3 proposer;
   };
+
+  /// What the insertion of v concerns.
+  template <class Ask>
+  void ask_about(const Live3& live, const SolidView& view, const Rules& rules, VertexId v,
+                 Ask ask) {
+    ask_in_faces(live, view, rules, v, ask);
+    ask_dead(live, view, rules, v, ask);
+    if constexpr (Rules::kTetrahedra) {
+      const Delaunay3& dt = live.triangulation();
+      for (const CellSlot c : dt.born()) {
+        if (!live.is_in_domain(c)) continue;
+        const CellRef born{c, dt.cell(c).birth};
+        ask(born, rules.unacceptable(view, born));
+      }
+    }
+  }
+
+  /// The vertex v of the intestine was inserted to split s: the intestine learns of it.
+  template <class Simplex, class Ask>
+  void grow_intestine(Workspace3& w, const SolidView& view, const Rules& rules, const Simplex& s,
+                      VertexId v, Ask ask) {
+    Live3& live = w.live;
+    Intestines& intestine = live.intestine();
+    const Delaunay3& dt = live.triangulation();
+    if constexpr (std::is_same_v<Simplex, SubsegmentId>) {
+      const Subsegment u = live.subsegment(s);
+      if (u.is_ring_arc()) {
+        intestine.split_arc(dt, u.ring, intestine.middle_key(u.ring, u.a, u.b), v);
+      } else if (u.is_arc()) {
+        intestine.split_sphere(dt, u.center.value, v);
+      } else if (u.is_collar_element()) {
+        RingKey key = 0;
+        const std::uint32_t before = intestine.ring_before(u.a, u.b, &key);
+        if (before != kNoIndex) put_ring(w, view, rules, before, key, v, ask);
+      }
+    } else if constexpr (std::is_same_v<Simplex, PatchId>) {
+      const Patch patch = intestine.patch(s);
+      if (patch.is_of_sphere()) {
+        intestine.split_sphere(dt, patch.sphere, v);
+      } else {
+        const Ring& before = intestine.ring(patch.ring);
+        split_generator(w, view, rules, patch.ring, before.vertices[0].key, v, ask);
+        put_ring(w, view, rules, patch.ring, before.vertices[0].key, v, ask);
+      }
+    }
+    intestine.take_died();
+    for (const PatchId p : intestine.take_born()) ask(p, rules.unacceptable(view, p));
+  }
+
+  /// The collar segment along a key, behind a ring, if it is in a face, was split by v.
+  template <class Ask>
+  void split_generator(Workspace3& w, const SolidView& view, const Rules& rules,
+                       std::uint32_t before, RingKey key, VertexId v, Ask ask) {
+    const Intestines& intestine = w.live.intestine();
+    const Ring& ring = intestine.ring(before);
+    const SubsegmentId s =
+        w.live.subsegment_between(ring.at(key), intestine.ring(ring.next).at(key));
+    if (!s.valid()) return;
+    for (const SubsegmentId half : w.live.split(s, v)) ask(half, rules.unacceptable(view, half));
+  }
+
+  /// A ring in the middle behind another one. Its vertex `first`, along `key`, is there already.
+  template <class Ask>
+  void put_ring(Workspace3& w, const SolidView& view, const Rules& rules, std::uint32_t before,
+                RingKey key, VertexId first, Ask ask) {
+    Live3& live = w.live;
+    Intestines& intestine = live.intestine();
+    Ring ring = intestine.ring_between(before);
+    for (RingVertex& r : ring.vertices) {
+      if (r.key == key) {
+        r.vertex = first;
+        continue;
+      }
+      const Point3 p = intestine.place(ring, r.key);
+      const BaseDirection& base = intestine.tube_of(ring).bases[r.key / kRingGap];
+      const bool in_face = r.key % kRingGap == 0 && base.face != kNoIndex;
+      const Feature feature =
+          in_face ? Feature{FeatureKind::kFace, base.face} : Feature{FeatureKind::kFree, kNoIndex};
+      const VertexId beside = intestine.ring(before).at(r.key);
+      Delaunay3& dt = live.triangulation();
+      if (dt.probe(p, dt.cell_of(first)) != Delaunay3::Probe::kOk ||
+          (in_face && (!beside.valid() || !live.probe_faces(p, feature, beside)))) {
+        ++w.refused;
+        w.refusal_limit = Reason::kLimitPrecision;
+        continue;
+      }
+      SubsegmentId splitting;
+      if (in_face) {
+        const Ring& from = intestine.ring(before);
+        splitting = live.subsegment_between(beside, intestine.ring(from.next).at(r.key));
+      }
+      r.vertex = insert_vertex(w, view, w.recorder.insertion(Reason::kRing), p, feature, splitting);
+      if (in_face) split_generator(w, view, rules, before, r.key, r.vertex, ask);
+      ask_about(live, view, rules, r.vertex, ask);
+    }
+    ring.vertices.erase(std::remove_if(ring.vertices.begin(), ring.vertices.end(),
+                                       [](const RingVertex& r) { return !r.vertex.valid(); }),
+                        ring.vertices.end());
+    const std::uint32_t number = intestine.insert_ring(live.triangulation(), before, ring);
+    for (std::size_t i = 0; i < ring.vertices.size(); ++i) {
+      const VertexId a = ring.vertices[i].vertex,
+                     b = ring.vertices[(i + 1) % ring.vertices.size()].vertex;
+      const SubsegmentId arc = live.create_ring_arc(a, b, number);
+      ask(arc, rules.unacceptable(view, arc));
+    }
+  }
 
   /// In the triangulations of the faces that v is in: the triangles born, and subsegments that lost
   /// their edges.
@@ -202,10 +342,14 @@ class SolidAgenda {
     died_segments_.clear();
     died_triangles_.clear();
     view.begin_face_triangles();
+    died_patches_.clear();
     for (const Delaunay3::Cell& cell : live.triangulation().died()) {
       view.for_each_subsegment(cell.v, [&](SubsegmentId s) { died_segments_.push_back(s); });
       view.for_each_face_triangle(cell.v,
                                   [&](const FaceTriangle& t) { died_triangles_.push_back(t); });
+      if constexpr (HasPatches<Rules>::value) {
+        view.for_each_patch(cell.v, [&](PatchId p) { died_patches_.push_back(p); });
+      }
     }
     std::sort(died_segments_.begin(), died_segments_.end());
     died_segments_.erase(std::unique(died_segments_.begin(), died_segments_.end()),
@@ -219,30 +363,50 @@ class SolidAgenda {
                     [&](const FaceTriangle& a, const FaceTriangle& b) { return key(a) == key(b); }),
         died_triangles_.end());
     for (const FaceTriangle& t : died_triangles_) ask(t, rules.encroached_by(view, t, v));
+    if constexpr (HasPatches<Rules>::value) {
+      std::sort(died_patches_.begin(), died_patches_.end());
+      died_patches_.erase(std::unique(died_patches_.begin(), died_patches_.end()),
+                          died_patches_.end());
+      for (const PatchId p : died_patches_) ask(p, rules.encroached_by(view, p, v));
+    }
   }
 
   static bool is_frozen(const Live3& live, SubsegmentId s) { return live.subsegment(s).frozen; }
   static bool is_frozen(const Live3& live, const FaceTriangle& t) { return live.is_frozen(t); }
   static bool is_frozen(const Live3&, const CellRef&) { return false; }
+  static bool is_frozen(const Live3& live, PatchId p) { return live.intestine().patch(p).frozen; }
   static Feature feature_of(const Live3& live, SubsegmentId s) {
     const Subsegment& u = live.subsegment(s);
     if (u.is_collar_element()) return {FeatureKind::kFace, u.face};
+    if (u.is_ring_arc()) return {FeatureKind::kFree, kNoIndex};
     return {FeatureKind::kSegment, u.segment.value};
   }
   static Feature feature_of(const Live3&, const FaceTriangle& t) {
     return {FeatureKind::kFace, t.face};
   }
   static Feature feature_of(const Live3&, const CellRef&) { return {FeatureKind::kFree, kNoIndex}; }
+  /// Rings begin in the first base direction.
+  static Feature feature_of(const Live3& live, PatchId id) {
+    const Patch& patch = live.intestine().patch(id);
+    if (patch.is_of_sphere()) return {FeatureKind::kFree, kNoIndex};
+    const Ring& ring = live.intestine().ring(patch.ring);
+    const RingKey key = ring.vertices[0].key;
+    const std::uint32_t face = live.intestine().tube_of(ring).bases[key / kRingGap].face;
+    if (face == kNoIndex || key % kRingGap != 0) return {FeatureKind::kFree, kNoIndex};
+    return {FeatureKind::kFace, face};
+  }
 
   FifoQueue<QueuedSegment> segments_;
+  FifoQueue<QueuedPatch> patches_;
   FifoQueue<QueuedTriangle> triangles_;
   FifoQueue<CellRef> cells_;
-  std::vector<bool> segment_waits_;
+  std::vector<bool> segment_waits_, patch_waits_;
   // By face and slot: the birth that waits.
   std::vector<std::vector<std::uint32_t>> triangle_waits_;
   std::uint64_t insertions_ = 0, looked_at_ = 0;
   std::vector<SubsegmentId> died_segments_;   // scratch
   std::vector<FaceTriangle> died_triangles_;  // scratch
+  std::vector<PatchId> died_patches_;         // scratch
 };
 
 }  // namespace circumball

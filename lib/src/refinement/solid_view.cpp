@@ -31,13 +31,18 @@ bool SolidView::is_in_face(const FaceTriangle& t) const {
 
 bool SolidView::ready(const Point3& p, SubsegmentId s) {
   const Subsegment& u = live_.subsegment(s);
+  if (u.is_ring_arc()) return probe(p, u.a);
   if (!u.is_collar_element()) return View3::ready(p, s);
+  if (live_.has_intestine() && live_.intestine().structured() && !u.is_arc()) {
+    return ready_for_ring(u.a, u.b, p);
+  }
   return probe(p, u.a) && live_.probe_faces(p, {FeatureKind::kFace, u.face}, u.a);
 }
 
 void SolidView::propose_collar_elements(const FaceTriangle& t) {
   segments_.clear();
   triangles_.clear();
+  patches_.clear();
   const FaceRefinement& face = live_.face(t.face);
   const Delaunay2& dt = face.triangulation();
   const auto for_each_element = [&](TriangleId u, auto f) {
@@ -104,6 +109,7 @@ bool SolidView::is_missing(SubsegmentId s) const {
     return dt.find_edge(live_.local(u.a, u.face), live_.local(u.b, u.face)) == kNone;
   }
   if (!dt_.has_edge(u.a, u.b)) return true;
+  if (u.is_ring_arc()) return false;
   for (const std::uint32_t f : live_.incidence().faces_of_segment(u.segment.value)) {
     const Delaunay2& dt = live_.face(f).triangulation();
     if (dt.find_edge(live_.local(u.a, f), live_.local(u.b, f)) == kNone) return true;
@@ -194,6 +200,7 @@ void SolidView::find_encroached_triangles(const Point3& p) {
 Outlook3 SolidView::look(const Point3& c, const FaceTriangle& t) {
   segments_.clear();
   triangles_.clear();
+  patches_.clear();
   if (!std::isfinite(c.x) || !std::isfinite(c.y) || !std::isfinite(c.z)) {
     return Outlook3::kCoincides;
   }
@@ -205,6 +212,7 @@ Outlook3 SolidView::look(const Point3& c, const FaceTriangle& t) {
 Outlook3 SolidView::look(const Point3& p, const CellRef& c) {
   segments_.clear();
   triangles_.clear();
+  patches_.clear();
   if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
     return Outlook3::kCoincides;
   }
@@ -212,7 +220,8 @@ Outlook3 SolidView::look(const Point3& p, const CellRef& c) {
   find_encroached_segments(p);
   if (!segments_.empty() && !live_.tracks_collars()) return Outlook3::kEncroaches;
   find_encroached_triangles(p);
-  if (!segments_.empty() || !triangles_.empty()) return Outlook3::kEncroaches;
+  if (live_.has_intestine()) find_encroached_patches(p);
+  if (!segments_.empty() || !triangles_.empty() || !patches_.empty()) return Outlook3::kEncroaches;
   return outside_or_free();
 }
 

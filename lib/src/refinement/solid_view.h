@@ -14,6 +14,7 @@ namespace circumball {
 struct Proposer3 {
   FaceTriangle triangle;
   CellRef cell;
+  PatchId patch;
 };
 
 /// What is around a point of space that is not inserted yet.
@@ -43,7 +44,13 @@ class SolidView : public View3 {
   bool alive(const CellRef& c) const {  // false for none
     return c.slot != kNone && dt_.alive(c.slot) && dt_.cell(c.slot).birth == c.birth;
   }
-  bool alive(const Proposer3& p) const { return alive(p.cell) || alive(p.triangle); }
+  static std::uint64_t key(PatchId p) { return std::uint64_t{p.value} << 2 | 3; }
+  bool alive(PatchId p) const {  // false for none
+    return p.valid() && live_.has_intestine() && live_.intestine().patch(p).alive;
+  }
+  bool alive(const Proposer3& p) const {
+    return alive(p.cell) || alive(p.triangle) || alive(p.patch);
+  }
   using View3::in_domain;
   bool in_domain(const CellRef& c) const { return live_.is_in_domain(c.slot); }
   using View3::ready;
@@ -53,7 +60,10 @@ class SolidView : public View3 {
   }
   void found_acceptable(const FaceTriangle&) {}
   void found_acceptable(const CellRef&) {}
+  void found_acceptable(PatchId) {}
   bool ready(const Point3&, const CellRef&) const { return true; }  // looked at by the action
+  bool ready(const Point3& p, PatchId patch);
+  bool may_split(PatchId p) const { return alive(p) && !live_.intestine().patch(p).frozen; }
   bool may_split(SubsegmentId s) const { return alive(s) && !live_.subsegment(s).frozen; }
   bool may_split(const FaceTriangle& t) const { return alive(t) && !live_.is_frozen(t); }
   /// Calls f for what the point last looked at encroaches upon, and yields to: subsegments, or
@@ -62,12 +72,14 @@ class SolidView : public View3 {
   void for_each_encroached(F f) const {
     for (const SubsegmentId s : segments_) f(s);
     for (const FaceTriangle& t : triangles_) f(t);
+    for (const PatchId p : patches_) f(p);
   }
 
   // --- subsegments, collar segments and collar arcs
   /// Of an arc: the midpoint of the arc.
   Point3 midpoint(SubsegmentId s) const {
     const Subsegment& u = live_.subsegment(s);
+    if (u.is_ring_arc()) return ring_arc_midpoint(u);
     if (!u.is_arc()) return View3::midpoint(s);
     return arc_midpoint(dt_.point(u.center), dt_.point(u.a), dt_.point(u.b));
   }
@@ -143,6 +155,34 @@ class SolidView : public View3 {
       }
     }
   }
+  // --- intestines (thesis, 6.3)
+  bool is_in_intestine(SubsegmentId s) const { return live_.subsegment(s).is_collar; }
+  bool is_structured() const { return live_.intestine().structured(); }
+  const Patch& patch(PatchId p) const { return live_.intestine().patch(p); }
+  /// Whether the smallest ball of a patch holds a vertex, by more than the slack. (If it does not,
+  /// the patch is a facet, or with all its corners on one circle two of them, but for ties.)
+  Verdict encroachment(PatchId p) const;
+  Verdict encroached_by(PatchId p, VertexId v) const;
+  /// Whether a patch of a sphere has an angular radius above 45 degrees, so that its ball holds the
+  /// center of the sphere.
+  bool is_wide(PatchId p) const;
+  /// The point of the sphere above the circumcenter of a patch of it.
+  Point3 top(PatchId p) const;
+  /// Finds the ring arcs that a patch of a tube has for sides, if one is longer than 1.2 times the
+  /// patch along its tube: rings alone would run away. False if there is none.
+  bool propose_arcs(PatchId p);
+  /// Of a patch of a tube: where the ring that splits it is at the key of its first corner.
+  Point3 place_on_new_ring(PatchId p) const;
+  /// Looks at a point on the surface of p: whether it encroaches upon subsegments, collar elements
+  /// or ring arcs.
+  Outlook3 look(const Point3& c, PatchId p);
+  /// Whether c belongs to the intestine: a corner of it is on a protected feature, or all four are
+  /// on one sphere, or all four on one tube with the centroid inside.
+  bool is_in_intestine(const CellRef& c) const;
+  /// Of what the point last looked at encroaches upon, leaves out what is inside of the intestine:
+  /// subsegments of protected segments, triangles of collars. Where dimension 1 is left, only that
+  /// stays. Returns whether something was left out.
+  bool leave_out_intestine();
 
   // --- what cells touch
   /// Calls f for each subsegment that is an edge of a cell with these vertices; some twice.
@@ -157,8 +197,34 @@ class SolidView : public View3 {
       }
     }
   }
+  /// Calls f for each patch that is, or has, a facet of a cell with these vertices; some twice.
+  template <class F>
+  void for_each_patch(const VertexId* v, F f) const {
+    if (!live_.has_intestine()) return;
+    const Intestines& intestine = live_.intestine();
+    for (unsigned i = 0; i < 4; ++i) {
+      const VertexId a = v[(i + 1) % 4], b = v[(i + 2) % 4], c = v[(i + 3) % 4];
+      if (a == Delaunay3::kGhost || b == Delaunay3::kGhost || c == Delaunay3::kGhost) continue;
+      if (!intestine.is_on_surface(a)) continue;
+      const PatchId p = intestine.patch_with(a, b, c);
+      if (p.valid()) f(p);
+    }
+  }
   /// Begins a round of for_each_face_triangle over cells.
   void begin_face_triangles() const { corners_.clear(); }
+  /// Calls f for each patch that is, or has, a facet of a cell with these vertices; some twice.
+  template <class F>
+  void for_each_patch(const VertexId* v, F f) const {
+    if (!live_.has_intestine()) return;
+    const Intestines& intestine = live_.intestine();
+    for (unsigned i = 0; i < 4; ++i) {
+      const VertexId a = v[(i + 1) % 4], b = v[(i + 2) % 4], c = v[(i + 3) % 4];
+      if (a == Delaunay3::kGhost || b == Delaunay3::kGhost || c == Delaunay3::kGhost) continue;
+      if (!intestine.is_on_surface(a)) continue;
+      const PatchId p = intestine.patch_with(a, b, c);
+      if (p.valid()) f(p);
+    }
+  }
   /// Calls f for each triangle of a face that is a facet of a cell with these vertices. Where a
   /// facet lies in a face, but is no triangle of it, for all triangles at its corners: some of them
   /// are in its place; for each corner once in a round. Some triangles come twice.
@@ -189,8 +255,10 @@ class SolidView : public View3 {
     return v != Delaunay3::kGhost && live_.feature(v).kind != FeatureKind::kFree;
   }
   bool can_end_subsegment(VertexId v) const {
+    if (v == Delaunay3::kGhost) return false;
     const FeatureKind last = live_.tracks_collars() ? FeatureKind::kFace : FeatureKind::kSegment;
-    return v != Delaunay3::kGhost && live_.feature(v).kind <= last;
+    return live_.feature(v).kind <= last ||
+           (live_.has_intestine() && live_.intestine().is_on_surface(v));
   }
   template <class F>
   void for_each_around(VertexId v, std::uint32_t face, F f) const {
@@ -204,7 +272,8 @@ class SolidView : public View3 {
   bool segment_ball_holds(SubsegmentId s, const Point3& p) const {
     const Subsegment& u = live_.subsegment(s);
     const Point3 &a = dt_.point(u.a), &b = dt_.point(u.b);
-    if (u.is_collar_element()) return in_diametral_ball_of_chord(a, b, p, live_.rounding());
+    if (u.is_collar_element() || u.is_ring_arc())
+      return in_diametral_ball_of_chord(a, b, p, live_.rounding());
     return in_diametral_ball(a, b, p) == Sign::kPositive;
   }
   /// The smallest ball of a triangle of a face, with the slack of what rounding moved.
@@ -224,11 +293,16 @@ class SolidView : public View3 {
   bool crosses(const FaceTriangle& t, VertexId p, VertexId q) const;
   void find_encroached_segments(const Point3& p);
   void find_encroached_triangles(const Point3& p);
+  void find_encroached_patches(const Point3& p);
+  bool ready_for_ring(VertexId a, VertexId b, const Point3& p);
+  Point3 ring_arc_midpoint(const Subsegment& u) const;
+  Ball ball(PatchId patch) const;
   bool cavity_holds(CellSlot c) const;
   Outlook3 outside_or_free() const;
 
   std::vector<SubsegmentId> segments_;
   std::vector<FaceTriangle> triangles_;
+  std::vector<PatchId> patches_;
   mutable std::vector<CellSlot> flat_;          // scratch
   mutable std::vector<std::uint64_t> corners_;  // of faces, that a round has been at
   // By face and slot of a triangle: its birth, and whether it lies in the face.
