@@ -172,7 +172,7 @@ std::vector<AlgorithmInfo> algorithms_in_space() {
       "(Theorem "
       "6.14). No complex was met where it does not end; that it always does is Conjecture 6.16.";
   structured.checks = {"topology",    "delaunay", "input-vertices", "input-segments",
-                       "input-faces", "volume",   "radius-edge"};
+                       "input-faces", "volume",   "intestine"};
   return {delaunay, feature_size, ruppert, collar, structured};
 }
 

@@ -55,6 +55,7 @@ constexpr Entry<VerifyContext3> kChecks3[] = {
     {"radius-edge", check_radius_edge, has_tau, has_tau},
     {"collar", check_collar, asked_only, has_tau},
     {"protection", check_protection, asked_only, always},
+    {"intestine", check_intestine, asked_only, has_tau},
     {"segment-lower", check_segment_lower, asked_only, always},
     {"segment-upper", check_segment_upper, asked_only, always},
 };

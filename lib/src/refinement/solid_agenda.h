@@ -159,6 +159,7 @@ class SolidAgenda {
               const Proposal3& p, F queue) {
     SubsegmentId splitting;
     if constexpr (std::is_same_v<Simplex, SubsegmentId>) splitting = s;
+    if constexpr (std::is_same_v<Simplex, PatchId>) splitting = generator_of(w.live, s);
     const VertexId v = insert_vertex(w, view, w.recorder.insertion_of(s, p.reason), p.at,
                                      feature_of(w.live, s), splitting);
     ++insertions_;
@@ -252,6 +253,17 @@ class SolidAgenda {
     }
     intestine.take_died();
     for (const PatchId p : intestine.take_born()) ask(p, rules.unacceptable(view, p));
+  }
+
+  /// The collar segment that a ring splits first, if the patch is of a tube, and it is in a face.
+  static SubsegmentId generator_of(const Live3& live, PatchId id) {
+    const Intestines& intestine = live.intestine();
+    const Patch& patch = intestine.patch(id);
+    if (patch.is_of_sphere()) return SubsegmentId();
+    const Ring& ring = intestine.ring(patch.ring);
+    const VertexId beyond = intestine.ring(ring.next).at(ring.vertices[0].key);
+    return beyond.valid() ? live.subsegment_between(ring.vertices[0].vertex, beyond)
+                          : SubsegmentId();
   }
 
   /// The collar segment along a key, behind a ring, if it is in a face, was split by v.
