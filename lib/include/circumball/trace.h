@@ -130,11 +130,12 @@ struct Event {
   std::uint32_t simplex[4] = {
       kNoIndex, kNoIndex, kNoIndex,
       kNoIndex};  ///< vertices; a subsegment has its input segment in simplex[3]; an arc (kNoIndex
-                  ///< there) the center of its circle, an input vertex, in simplex[2]; in space a
+                  ///< there) the center of its circle, an input vertex, in simplex[2]; an arc of
+                  ///< a ring has both, the segment and a vertex on it; in space a
                   ///< triangle of a face has the face in simplex[3]; a vertex that splits nothing
-                  ///< and protects (kCollar, kCircle) has in simplex[0] the vertex of the segment
-                  ///< that it stands across from, in simplex[1] the input vertex whose circle it
-                  ///< lies on, in simplex[3] the face, as far as there are such
+                  ///< and protects (kCollar, kCircle, kRing, kSeed) has in simplex[0] the vertex of
+                  ///< the segment that it stands across from, in simplex[1] the input vertex whose
+                  ///< circle it lies on, in simplex[3] the face, as far as there are such
   std::uint32_t subject = kNoIndex;
   std::uint32_t other[2] = {kNoIndex, kNoIndex};
   double at[3] = {0, 0, 0};

@@ -68,6 +68,7 @@ class DrawIntestines final : public Stage3 {
       sow(w, next_);
     }
     w.live.intestine().make_patches(w.live.triangulation(), is_tip_);
+    w.recorder.patches_changed({}, w.live.intestine().take_born());
     return true;
   }
 
@@ -202,7 +203,8 @@ class DrawIntestines final : public Stage3 {
     for (std::size_t k = 0; k < bases.size(); ++k) {
       const RingKey key = k * kRingGap;
       const std::uint32_t face = bases[k].face;
-      const VertexId p = insert(w, face, intestine.place(ring, key), near, Reason::kRing);
+      const VertexId p =
+          insert(w, face, intestine.place(ring, key), near, Reason::kRing, ring.about, VertexId());
       if (!p.valid()) continue;
       intestine.add_to_ring(r, key, p);
       if (ring.sphere == kNoIndex) continue;
@@ -214,7 +216,8 @@ class DrawIntestines final : public Stage3 {
     }
     const auto& vertices = intestine.ring(r).vertices;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
-      w.live.create_ring_arc(vertices[i].vertex, vertices[(i + 1) % vertices.size()].vertex, r);
+      w.recorder.protection_began(w.live.create_ring_arc(
+          vertices[i].vertex, vertices[(i + 1) % vertices.size()].vertex, r));
     }
     return r;
   }
@@ -228,12 +231,14 @@ class DrawIntestines final : public Stage3 {
       if (bases[k].face == kNoIndex) continue;
       const VertexId a = intestine.ring(before).at(k * kRingGap),
                      b = intestine.ring(r).at(k * kRingGap);
-      if (a.valid() && b.valid()) w.live.create_collar_element(a, b, bases[k].face, VertexId());
+      if (!a.valid() || !b.valid()) continue;
+      w.recorder.protection_began(w.live.create_collar_element(a, b, bases[k].face, VertexId()));
     }
   }
 
   /// A vertex in a face, or of space where `face` is none.
-  VertexId insert(Workspace3& w, std::uint32_t face, const Point3& p, VertexId near, Reason why) {
+  VertexId insert(Workspace3& w, std::uint32_t face, const Point3& p, VertexId near, Reason why,
+                  VertexId across, VertexId center) {
     Delaunay3& dt = w.live.triangulation();
     const Feature feature = face != kNoIndex ? Feature{FeatureKind::kFace, face}
                                              : Feature{FeatureKind::kFree, kNoIndex};
@@ -244,7 +249,8 @@ class DrawIntestines final : public Stage3 {
       return VertexId();
     }
     const View3 view(w.live, w.recorder.on());
-    return insert_vertex(w, view, w.recorder.insertion(why), p, feature);
+    return insert_vertex(w, view, w.recorder.insertion_on(why, across, center, feature), p,
+                         feature);
   }
 
   // --- spheres
@@ -321,14 +327,17 @@ class DrawIntestines final : public Stage3 {
     for (unsigned k = from.valid() ? 1 : 0; k < parts; ++k) {
       const VertexId near = before.valid() ? before : VertexId(v);
       const VertexId p = insert(w, f, plane.to_space(at(angle + length * k / parts, radius)), near,
-                                Reason::kCircle);
+                                Reason::kCircle, VertexId(), VertexId(v));
       if (!p.valid()) return;
       w.live.intestine().add_to_sphere(v, p);
-      if (before.valid()) w.live.create_collar_element(before, p, f, VertexId(v));
+      if (before.valid()) create_arc(w, before, p, f, v);
       if (!first.valid()) first = p;
       before = p;
     }
-    w.live.create_collar_element(before, to.valid() ? to : first, f, VertexId(v));
+    create_arc(w, before, to.valid() ? to : first, f, v);
+  }
+  static void create_arc(Workspace3& w, VertexId a, VertexId b, std::uint32_t f, std::uint32_t v) {
+    w.recorder.protection_began(w.live.create_collar_element(a, b, f, VertexId(v)));
   }
 
   /// Seeds: those of the 26 directions of a grid that are far from what is on the sphere. With them
@@ -349,7 +358,8 @@ class DrawIntestines final : public Stage3 {
         });
         const Point3 p = plus(q0, radius, d);
         if (near || encroaches(w, v, p)) continue;
-        const VertexId seed = insert(w, kNoIndex, p, VertexId(v), Reason::kSeed);
+        const VertexId seed =
+            insert(w, kNoIndex, p, VertexId(v), Reason::kSeed, VertexId(), VertexId(v));
         if (seed.valid()) intestine.add_to_sphere(v, seed);
       }
     }

@@ -145,8 +145,9 @@ std::vector<AlgorithmInfo> algorithms_in_space() {
   structured.thesis = "Algorithms 6.1 and 6.4";
   structured.parameters[0].default_value = "2.3";
   structured.parameters.push_back({"protect", "acute", "acute|all", "",
-                                   "which input vertices and segments are protected: the acutely "
-                                   "adjacent, or all but those of the box"});
+                                   "which input vertices and segments get spheres and tubes: the "
+                                   "acutely adjacent, or all but those of the box"});
+  structured.parameters.push_back(collar.parameters[collar.parameters.size() - 3]);  // sizes
   structured.action =
       "Split segments until they are short against their feature sizes (Algorithm 4.1), end "
       "segments at a vertex alike; put spheres about input vertices and rings about segments, "

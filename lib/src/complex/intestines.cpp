@@ -112,6 +112,7 @@ Ring Intestines::ring_between(std::uint32_t before) const {
   const Ring &a = rings_[before], &b = rings_[a.next];
   Ring ring;
   ring.tube = a.tube;
+  ring.about = a.about;
   ring.center = midpoint(a.center, b.center);
   ring.radius = 0.5 * (a.radius + b.radius);
   for (const auto* list : {&a.vertices, &b.vertices}) {

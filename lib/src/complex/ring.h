@@ -32,7 +32,7 @@ struct Ring {
   std::uint32_t tube = kNoIndex;
   Point3 center;
   double radius = 0;
-  VertexId about;                   ///< the subsegment's end that it is at; none in between
+  VertexId about;                   ///< the end of a subsegment that it is at, or behind
   std::uint32_t sphere = kNoIndex;  ///< the input vertex on whose sphere it is, if any
   std::uint32_t next = kNoIndex, previous = kNoIndex;  ///< along the segment
   std::vector<RingVertex> vertices;                    ///< by key

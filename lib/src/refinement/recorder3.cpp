@@ -36,6 +36,11 @@ Event Recorder3::of(EventKind kind, SubsegmentId s) const {
   e.simplex[1] = u.b.value;
   e.simplex[2] = u.center.value;
   e.simplex[3] = u.segment.value;
+  if (u.is_ring_arc()) {
+    const Ring& ring = live_.intestine().ring(u.ring);
+    e.simplex[2] = ring.about.value;
+    e.simplex[3] = live_.intestine().tube_of(ring).segment;
+  }
   return e;
 }
 
@@ -133,6 +138,11 @@ void Recorder3::face_created(std::uint32_t face) {
 
 ProtectingElement Recorder3::element(SubsegmentId s) const {
   const Subsegment& u = live_.subsegment(s);
+  if (u.is_ring_arc()) {
+    const Ring& ring = live_.intestine().ring(u.ring);
+    return {ProtectingKind::kRingArc, u.a.value, u.b.value, ring.about.value,
+            live_.intestine().tube_of(ring).segment};
+  }
   const ProtectingKind kind = !u.is_collar_element() ? ProtectingKind::kProtectedSubsegment
                               : u.is_arc()           ? ProtectingKind::kCollarArc
                                                      : ProtectingKind::kCollarSegment;
@@ -169,8 +179,31 @@ void Recorder3::protection_began(SubsegmentId s) {
   if (sink_) protection_changed({}, {element(s)});
 }
 
+void Recorder3::patches_changed(const std::vector<PatchId>& died,
+                                const std::vector<PatchId>& born) {
+  if (!sink_) return;
+  const Intestines& intestine = live_.intestine();
+  std::vector<ProtectingElement> elements[2];
+  const std::vector<PatchId>* lists[2] = {&died, &born};
+  for (int i = 0; i < 2; ++i) {
+    for (const PatchId id : *lists[i]) {
+      const Patch& p = intestine.patch(id);
+      const bool sphere = p.is_of_sphere();
+      const std::uint32_t carrier =
+          sphere ? p.sphere : intestine.tube_of(intestine.ring(p.ring)).segment;
+      const auto kind = sphere ? ProtectingKind::kSpherePatch : ProtectingKind::kTubePatch;
+      elements[i].push_back({kind, p.v[0].value, p.v[1].value, p.v[2].value, carrier});
+      if (p.is_quad()) {
+        elements[i].push_back({kind, p.v[0].value, p.v[2].value, p.v[3].value, carrier});
+      }
+    }
+  }
+  protection_changed(elements[0], elements[1]);
+}
+
 void Recorder3::protection_split(SubsegmentId s, const std::array<SubsegmentId, 2>& halves) {
-  if (!sink_ || !live_.subsegment(s).is_collar_element()) return;
+  const Subsegment& u = live_.subsegment(s);
+  if (!sink_ || !(u.is_collar_element() || u.is_ring_arc())) return;
   protection_changed({element(s)}, {element(halves[0]), element(halves[1])});
 }
 

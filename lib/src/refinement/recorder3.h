@@ -15,6 +15,16 @@ class Recorder3 : public RecorderBase<Recorder3, Point3> {
  public:
   Recorder3(const Live3& live, TraceSink* sink) : RecorderBase(sink), live_(live) {}
 
+  /// The event of the insertion of a vertex that protects and splits nothing: the vertex of a
+  /// segment that it stands across from, or the input vertex that its circle or sphere is about,
+  /// and the feature that it lies on.
+  Event insertion_on(Reason why, VertexId across, VertexId center, const Feature& feature) const {
+    Event e = insertion(why);
+    e.simplex[0] = across.value;
+    e.simplex[1] = center.value;
+    if (feature.kind == FeatureKind::kFace) e.simplex[3] = feature.index;
+    return e;
+  }
   /// After the insertion of v into the tetrahedralization, and into the faces that it belongs to.
   void inserted(Event insertion, VertexId v, double insertion_radius);
   /// What a circumcenter yields to, one event each.
@@ -47,9 +57,11 @@ class Recorder3 : public RecorderBase<Recorder3, Point3> {
                           const std::vector<ProtectingElement>& born);
   /// The subsegments that are never split from now on (Live3::protect).
   void subsegments_protected();
-  /// A collar element that was created.
+  /// Patches of intestines that died, and that were born; a quadrangle is two triangles.
+  void patches_changed(const std::vector<PatchId>& died, const std::vector<PatchId>& born);
+  /// A collar element, or an arc of a ring, that was created.
   void protection_began(SubsegmentId s);
-  /// s is split into these two: of interest if it is a collar element.
+  /// s is split into these two: of interest if it is a collar element or an arc of a ring.
   void protection_split(SubsegmentId s, const std::array<SubsegmentId, 2>& halves);
 
  private:

@@ -251,8 +251,9 @@ class SolidAgenda {
         put_ring(w, view, rules, patch.ring, before.vertices[0].key, v, ask);
       }
     }
-    intestine.take_died();
-    for (const PatchId p : intestine.take_born()) ask(p, rules.unacceptable(view, p));
+    const std::vector<PatchId> born = intestine.take_born();
+    w.recorder.patches_changed(intestine.take_died(), born);
+    for (const PatchId p : born) ask(p, rules.unacceptable(view, p));
   }
 
   /// The collar segment that a ring splits first, if the patch is of a tube, and it is in a face.
@@ -275,7 +276,9 @@ class SolidAgenda {
     const SubsegmentId s =
         w.live.subsegment_between(ring.at(key), intestine.ring(ring.next).at(key));
     if (!s.valid()) return;
-    for (const SubsegmentId half : w.live.split(s, v)) ask(half, rules.unacceptable(view, half));
+    const std::array<SubsegmentId, 2> halves = w.live.split(s, v);
+    w.recorder.protection_split(s, halves);
+    for (const SubsegmentId half : halves) ask(half, rules.unacceptable(view, half));
   }
 
   /// A ring in the middle behind another one. Its vertex `first`, along `key`, is there already.
@@ -308,7 +311,9 @@ class SolidAgenda {
         const Ring& from = intestine.ring(before);
         splitting = live.subsegment_between(beside, intestine.ring(from.next).at(r.key));
       }
-      r.vertex = insert_vertex(w, view, w.recorder.insertion(Reason::kRing), p, feature, splitting);
+      r.vertex = insert_vertex(
+          w, view, w.recorder.insertion_on(Reason::kRing, ring.about, VertexId(), feature), p,
+          feature, splitting);
       if (in_face) split_generator(w, view, rules, before, r.key, r.vertex, ask);
       ask_about(live, view, rules, r.vertex, ask);
     }
@@ -320,6 +325,7 @@ class SolidAgenda {
       const VertexId a = ring.vertices[i].vertex,
                      b = ring.vertices[(i + 1) % ring.vertices.size()].vertex;
       const SubsegmentId arc = live.create_ring_arc(a, b, number);
+      w.recorder.protection_began(arc);
       ask(arc, rules.unacceptable(view, arc));
     }
   }

@@ -212,19 +212,6 @@ class SolidView : public View3 {
   }
   /// Begins a round of for_each_face_triangle over cells.
   void begin_face_triangles() const { corners_.clear(); }
-  /// Calls f for each patch that is, or has, a facet of a cell with these vertices; some twice.
-  template <class F>
-  void for_each_patch(const VertexId* v, F f) const {
-    if (!live_.has_intestine()) return;
-    const Intestines& intestine = live_.intestine();
-    for (unsigned i = 0; i < 4; ++i) {
-      const VertexId a = v[(i + 1) % 4], b = v[(i + 2) % 4], c = v[(i + 3) % 4];
-      if (a == Delaunay3::kGhost || b == Delaunay3::kGhost || c == Delaunay3::kGhost) continue;
-      if (!intestine.is_on_surface(a)) continue;
-      const PatchId p = intestine.patch_with(a, b, c);
-      if (p.valid()) f(p);
-    }
-  }
   /// Calls f for each triangle of a face that is a facet of a cell with these vertices. Where a
   /// facet lies in a face, but is no triangle of it, for all triangles at its corners: some of them
   /// are in its place; for each corner once in a round. Some triangles come twice.

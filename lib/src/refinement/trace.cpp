@@ -60,6 +60,10 @@ std::uint32_t third_corner(const Event& e) { return static_cast<std::uint32_t>(e
 std::string simplex_words(const Event& e) {
   switch (e.dimension) {
     case 1:
+      if (e.simplex[2] != kNoIndex && e.simplex[3] != kNoIndex) {
+        return "The arc of a ring about segment " + std::to_string(e.simplex[3]) +
+               " between vertices " + list_of(e);
+      }
       if (e.simplex[2] != kNoIndex) {
         return "The arc about input vertex " + std::to_string(e.simplex[2]) + " between vertices " +
                list_of(e);
@@ -124,6 +128,9 @@ std::string why_queued(const Event& e) {
              ", a Delaunay neighbor of one of its vertices, does not lie in the face and is at "
              "distance " +
              number(e.value) + ", less than its circumdiameter.";
+    case Reason::kWide:
+      return " is unacceptable: seen from the center of its sphere, its angular radius is above 45 "
+             "degrees.";
     case Reason::kYieldedTo:
       return " is queued: a circumcenter yields to it.";
     case Reason::kReturned:
@@ -165,6 +172,11 @@ std::string without_simplex(const Event& e) {
       if (e.simplex[0] == kNoIndex) return ", of a collar,";
       return ", of the collar" + in_face + ", across from vertex " + std::to_string(e.simplex[0]) +
              " of its segment,";
+    case Reason::kRing:
+      return ", on a ring about a segment at vertex " + std::to_string(e.simplex[0]) + in_face +
+             ",";
+    case Reason::kSeed:
+      return ", a seed on the sphere about input vertex " + std::to_string(e.simplex[1]) + ",";
     default:
       return " of the input";
   }
@@ -186,6 +198,10 @@ std::string place_inserted(Reason reason) {
       return "where a concentric shell about its input vertex crosses";
     case Reason::kArcMidpoint:
       return "at the midpoint of";
+    case Reason::kRing:
+      return "on a ring that splits";
+    case Reason::kSurface:
+      return "on the sphere or tube, above the circumcenter of";
     case Reason::kPicked:
       return "near the circumcenter, where slivers become fewer, of";
     default:
@@ -364,6 +380,13 @@ std::string describe(const Event& e, const std::vector<std::string>& steps) {
     case EventKind::kRefused:
       return simplex_words(e) + " is not split: " + why_refused(e.reason) + ".";
     case EventKind::kYielded:
+      if (yields_to_triangle(e) && e.subject == kNoIndex) {
+        return simplex_words(e) +
+               " yields: its circumcenter encroaches upon the patch between "
+               "vertices " +
+               std::to_string(e.other[0]) + ", " + std::to_string(e.other[1]) + " and " +
+               std::to_string(third_corner(e)) + ", which is queued instead.";
+      }
       if (yields_to_triangle(e)) {
         return simplex_words(e) +
                " yields: its circumcenter encroaches upon the triangle of face " +

@@ -38,5 +38,6 @@ export function nameOf(
 }
 
 export function eventName(protecting: ProtectingLives | null, e: TraceEvent): string {
-  return nameOf(protecting, e.simplex, e.segment, e.face);
+  // An arc of a ring knows the segment that it goes around: it is no piece of it.
+  return nameOf(protecting, e.simplex, e.center === NONE ? e.segment : NONE, e.face);
 }

@@ -139,6 +139,8 @@ function queued(e: TraceEvent, name: string, dimension: 2 | 3): string {
       return `${it} is a sliver: its smallest dihedral angle is ${formatNumber(e.value)}°, below the bound.`;
     case Reason.tooLong:
       return `${it} is unacceptable: it is ${formatNumber(e.value)} long, more than twice the shortest segment of its spindle, and vertex ${e.subject} lies inside its ${ball}.`;
+    case Reason.wide:
+      return `${it} is unacceptable: seen from the center of its sphere, its angular radius is above 45 degrees.`;
     case Reason.yieldedTo:
       return `${it} is queued: a circumcenter yielded to it.`;
     case Reason.returned:
@@ -171,7 +173,7 @@ function inserted(e: TraceEvent, name: string): string {
       return `${vertex} is inserted on ${name}, at the distance that protects its acute angle.${radius}`;
     case Reason.circle:
       if (e.center !== NONE)
-        return `Rule 3: vertex ${e.subject} is inserted in face ${e.face} on the circle about input vertex ${e.center}, so that no collar arc spans more than a quarter turn.${radius}`;
+        return `Rule 3: vertex ${e.subject} is inserted in face ${e.face} on the circle about input vertex ${e.center}, so that collar arcs there are short.${radius}`;
       return `${vertex} is inserted on the circle that protects an acute angle, so that no arc spans more than a quarter turn.${radius}`;
     case Reason.arcMidpoint:
       return `${vertex} is inserted at the midpoint of ${name}.${radius}`;
@@ -181,6 +183,14 @@ function inserted(e: TraceEvent, name: string): string {
       return `${vertex} is inserted on ${name}, on a concentric shell about its input vertex.${radius}`;
     case Reason.third:
       return `${vertex} is inserted on ${name}, a third of the way to the nearest neighbor of its input vertex.${radius}`;
+    case Reason.ring:
+      if (e.dimension > 0)
+        return `${vertex} is inserted on a new ring, which splits ${name}.${radius}`;
+      return `${vertex} is inserted on a ring about a segment at its vertex ${e.across}${e.face === NONE ? '' : `, in face ${e.face}`}.${radius}`;
+    case Reason.seed:
+      return `${vertex} is inserted on the sphere about input vertex ${e.center}, where nothing else is near.${radius}`;
+    case Reason.surface:
+      return `${vertex} is inserted on the sphere or tube, above the circumcenter of ${name}.${radius}`;
     case Reason.offCenter:
       return `${vertex} is inserted at the off-center of ${name}.${radius}`;
     case Reason.picked:
