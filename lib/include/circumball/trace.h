@@ -77,7 +77,7 @@ enum class Reason : std::uint8_t {
   kNearVertex =
       12,        ///< a vertex of this triangle of a face has a Delaunay neighbor `subject` outside
                  ///< of the face, nearer than its circumdiameter (4.3); `value` = that distance
-  kWide = 13,  ///< a patch of a sphere has an angular radius above 45 degrees
+  kWide = 13,    ///< a patch of a sphere has an angular radius above 45 degrees
   kSliver = 15,  ///< `value` = smallest dihedral angle in degrees < the bound
   // where a vertex was inserted
   kInput = 16,         ///< an input vertex (step 0)
