@@ -24,7 +24,8 @@ Direction direction(const Point3& v) {
 
 class Finder {
  public:
-  explicit Finder(const VerifyContext3& context) : context_(context), complex_(context.complex) {
+  Finder(const VerifyContext3& context, RightAngles right)
+      : context_(context), complex_(context.complex), sign_(right == RightAngles::kOpen ? 1 : -1) {
     found_.vertices.assign(complex_.vertices.size(), false);
     found_.segments.assign(complex_.segments.size(), false);
     for (std::uint32_t s = 0; s < complex_.segments.size(); ++s) {
@@ -66,7 +67,8 @@ class Finder {
     for (const std::uint32_t v : complex_.segments[s]) found_.vertices[v] = true;
   }
   bool is_acute(const Direction& a, const Direction& b) const {
-    return dot(a.to, b.to) > kNearlyRight + 2 * context_.rounding * (1 / a.length + 1 / b.length);
+    const double slack = kNearlyRight + 2 * context_.rounding * (1 / a.length + 1 / b.length);
+    return dot(a.to, b.to) > sign_ * slack;
   }
   /// Perpendicular to the segment, towards a corner of a triangle on it.
   bool is_acute_segment(std::uint32_t s, const std::vector<std::uint32_t>& apexes) const {
@@ -99,8 +101,8 @@ class Finder {
     }
     return false;
   }
-  /// Whether the foot of a segment is clearly between the sides of a corner of a triangle at v, and
-  /// clearly off v: it is the nearest point of the corner.
+  /// Whether the foot of a segment is between the sides of a corner of a triangle at v, and off v:
+  /// it is the nearest point of the corner.
   bool is_acute_corner(std::uint32_t v, const Direction& d, std::uint32_t b,
                        std::uint32_t c) const {
     const Direction p = direction(point(b) - point(v)), q = direction(point(c) - point(v));
@@ -108,12 +110,14 @@ class Finder {
     const Direction foot = direction(along(d.to, -dot(d.to, n), n));
     const double slack =
         kNearlyRight + 4 * context_.rounding * (1 / p.length + 1 / q.length + 1 / d.length);
-    return foot.length > slack && dot(cross(p.to, foot.to), n) > slack &&
-           dot(cross(foot.to, q.to), n) > slack;
+    if (foot.length <= slack) return sign_ < 0;
+    return dot(cross(p.to, foot.to), n) > sign_ * slack &&
+           dot(cross(foot.to, q.to), n) > sign_ * slack;
   }
 
   const VerifyContext3& context_;
   const Complex& complex_;
+  const double sign_;  // of the slack
   ProtectedFeatures found_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> segment_;  // by its ends
   std::map<std::uint32_t, std::vector<std::uint32_t>> ends_;   // of segments, by vertex
@@ -123,8 +127,8 @@ class Finder {
 
 }  // namespace
 
-ProtectedFeatures protected_features(const VerifyContext3& context) {
-  Finder finder(context);
+ProtectedFeatures protected_features(const VerifyContext3& context, RightAngles right) {
+  Finder finder(context, right);
   return context.options.protect_all ? finder.everything() : finder.acute();
 }
 

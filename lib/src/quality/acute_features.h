@@ -1,6 +1,7 @@
 #ifndef CIRCUMBALL_QUALITY_ACUTE_FEATURES_H_
 #define CIRCUMBALL_QUALITY_ACUTE_FEATURES_H_
 
+#include <cstdint>
 #include <vector>
 
 #include "quality/context3.h"
@@ -13,12 +14,14 @@ struct ProtectedFeatures {
   std::vector<bool> vertices, segments;
 };
 
-/// All that meet others (`options.protect_all`), or those that are met at clearly less than 90
-/// degrees: segments by two sides of faces; vertices by two segments, by a segment and a face that
-/// does not contain it, or as ends of such segments. What is within 1e-6 of a right angle, or
-/// within what rounding makes of one, is left open: whoever made the mesh decides, so that it is
-/// not looked at.
-ProtectedFeatures protected_features(const VerifyContext3& context);
+/// Who makes a mesh decides what a right angle is that rounding bent: within 1e-6 of one, or what
+/// rounding makes of the lengths involved.
+enum class RightAngles : std::uint8_t { kOpen, kProtected };
+
+/// All that meet others (`options.protect_all`), or those that are met at less than 90 degrees:
+/// segments by two sides of faces; vertices by two segments, by a segment and a face that does not
+/// contain it, or as ends of such segments. Angles that may be right count as said.
+ProtectedFeatures protected_features(const VerifyContext3& context, RightAngles right);
 
 }  // namespace circumball
 

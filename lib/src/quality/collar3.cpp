@@ -4,6 +4,7 @@
 
 #include "complex/box_tree.h"
 #include "feature_size/vectors.h"
+#include "quality/acute_features.h"
 #include "quality/context3.h"
 #include "quality/tetrahedron_measure.h"
 
@@ -66,22 +67,32 @@ Point3 circumcenter(const Point3& o, const Point3& p, const Point3& q, const Poi
 }  // namespace
 
 /// Theorem 6.11: the circumcenter of any tetrahedron with RE(t) > tau lies in the ball of a collar
-/// simplex. Collar simplices are read off the mesh: its subsegments, its facets in faces that touch
-/// a segment or an input vertex, and those facets between that have no vertex but collar vertices:
-/// all neighbors along such facets of vertices on segments.
+/// simplex. Collar simplices are read off the mesh: its subsegments on protected segments and at
+/// protected vertices, its facets in faces that touch these, and those facets between that have no
+/// vertex but collar vertices: all neighbors along such facets of vertices on protected segments.
 Check check_collar(const VerifyContext3& context) {
   Check check;
   check.name = "collar";
   const Mesh& mesh = context.mesh;
   const double tau = context.options.tau.value_or(0);
-  const auto on_segment = [&](std::uint32_t v) {
-    return v < mesh.vertex_features.size() && mesh.vertex_features[v].kind <= FeatureKind::kSegment;
+  const ProtectedFeatures features = protected_features(context, RightAngles::kProtected);
+  const auto is_protected = [&](const std::vector<bool>& list, std::uint32_t i) {
+    return i < list.size() ? list[i] : context.options.protect_all;  // beyond: of the box
+  };
+  const auto on_protected = [&](std::uint32_t v) {
+    if (v >= mesh.vertex_features.size()) return false;
+    const Feature& f = mesh.vertex_features[v];
+    if (f.kind == FeatureKind::kVertex) return is_protected(features.vertices, f.index);
+    return f.kind == FeatureKind::kSegment && is_protected(features.segments, f.index);
+  };
+  const auto is_protected_vertex = [&](std::uint32_t v) {
+    return on_protected(v) && mesh.vertex_features[v].kind == FeatureKind::kVertex;
   };
   const auto usable = [&](std::uint32_t v) { return v < context.used.size() && context.used[v]; };
   std::vector<std::uint8_t> beside(mesh.vertices.size(), 0);
   for (const MeshFacet& f : mesh.facets) {
     if (!usable(f.a) || !usable(f.b) || !usable(f.c)) continue;
-    if (!on_segment(f.a) && !on_segment(f.b) && !on_segment(f.c)) continue;
+    if (!on_protected(f.a) && !on_protected(f.b) && !on_protected(f.c)) continue;
     for (const std::uint32_t v : {f.a, f.b, f.c}) beside[v] = 1;
   }
   std::vector<Ball> balls;
@@ -93,7 +104,10 @@ Check check_collar(const VerifyContext3& context) {
     boxes.push_back(Box3::of({c.x - r, c.y - r, c.z - r}, {c.x + r, c.y + r, c.z + r}));
   };
   for (const MeshEdge& e : mesh.edges) {
-    if (usable(e.a) && usable(e.b)) add(ball_of(context.point(e.a), context.point(e.b)));
+    if (!usable(e.a) || !usable(e.b)) continue;
+    if (is_protected(features.segments, e.segment) || is_protected_vertex(e.a) ||
+        is_protected_vertex(e.b))
+      add(ball_of(context.point(e.a), context.point(e.b)));
   }
   for (const MeshFacet& f : mesh.facets) {
     if (!usable(f.a) || !usable(f.b) || !usable(f.c)) continue;

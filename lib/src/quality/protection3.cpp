@@ -24,7 +24,7 @@ struct Piece {
 class ProtectionCheck {
  public:
   explicit ProtectionCheck(const VerifyContext3& context)
-      : context_(context), features_(protected_features(context)) {
+      : context_(context), features_(protected_features(context, RightAngles::kOpen)) {
     check_.name = "protection";
     check_.ok = true;
   }
