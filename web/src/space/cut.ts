@@ -19,6 +19,7 @@ export interface CutOptions {
   /** Cells that meet the plane are cut; else they are kept whole, or left out, by their centroids. */
   readonly exact: boolean;
   readonly shrink: number; // 0 to 1: towards the centroids
+  readonly peel?: number; // so many layers of cells are taken off the boundary
 }
 
 const ALL_EDGES = 7;
@@ -42,6 +43,9 @@ export function cutCells(
   const cut = only ? null : plane;
   const count = state.liveCellCount;
   const isWhole = shrink > 0;
+  const peel = only ? 0 : (options.peel ?? 0);
+  const beside = isWhole && peel === 0 ? null : (adjacency ?? adjacencyOf(state)).neighbors;
+  const layers = peel > 0 ? layersOf(state, beside!, options.outside) : null;
   const sides = new Uint8Array(count);
   const corners = new Float64Array(12);
   const depths = new Float64Array(4);
@@ -49,6 +53,7 @@ export function cutCells(
   for (let p = 0; p < count; p++) {
     const n = state.liveCells[p]!;
     if (only ? !only.has(n) : !options.outside && state.cellLabel[n] === Label.outside) continue;
+    if (layers && layers[p]! <= peel) continue;
     if (!cut) {
       sides[p] = Side.kept;
       continue;
@@ -57,7 +62,7 @@ export function cutCells(
     sides[p] = sideOf(corners, cut, exact, depths);
     if (sides[p] === Side.met) cap(corners, depths, n, into);
   }
-  const { neighbors } = isWhole ? { neighbors: null } : (adjacency ?? adjacencyOf(state));
+  const neighbors = isWhole ? null : beside;
   for (let p = 0; p < count; p++) {
     if (sides[p] === Side.hidden) continue;
     const n = state.liveCells[p]!;
@@ -72,6 +77,43 @@ export function cutCells(
     }
   }
   return into;
+}
+
+/**
+ * How deep each cell lies, by place in the list of the live ones: 1 at the boundary, one more than the least of its neighbors inside.
+ * Cells that are not seen are 0.
+ */
+export function layersOf(
+  state: MeshState,
+  neighbors: Adjacency['neighbors'],
+  outside: boolean,
+): Uint32Array {
+  const { liveCells, liveCellCount: count, cellLabel } = state;
+  const layers = new Uint32Array(count);
+  const isSeen = (p: number) => outside || cellLabel[liveCells[p]!] !== Label.outside;
+  let front: number[] = [];
+  for (let p = 0; p < count; p++) {
+    if (!isSeen(p)) continue;
+    for (let k = 0; k < 4; k++) {
+      const q = neighbors[4 * p + k]!;
+      if (layers[p] === 0 && (q === NOBODY || !isSeen(q))) {
+        layers[p] = 1;
+        front.push(p);
+      }
+    }
+  }
+  for (let layer = 2; front.length > 0; layer++) {
+    const next: number[] = [];
+    for (const p of front)
+      for (let k = 0; k < 4; k++) {
+        const q = neighbors[4 * p + k]!;
+        if (q === NOBODY || layers[q] !== 0 || !isSeen(q)) continue;
+        layers[q] = layer;
+        next.push(q);
+      }
+    front = next;
+  }
+  return layers;
 }
 
 export function noCut(): Cut {

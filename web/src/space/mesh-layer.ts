@@ -120,10 +120,10 @@ export class SpaceMeshLayer {
   /** O(live cells): what is seen of them depends on all of them. */
   setCells(state: MeshState, { look, coloring, theme, plane, window }: MeshLook): void {
     const { cells: batch, cut } = this;
-    const { outside, highlight: only, shrink } = look;
+    const { outside, highlight: only, shrink, peel } = look;
     const exact = look.clip?.exact ?? false;
-    const options = { outside, only, plane, exact, shrink: 0.7 * shrink };
-    cutCells(state, options, cut, shrink > 0 ? null : this.adjacencyOf(state));
+    const options = { outside, only, plane, exact, shrink: 0.7 * shrink, peel };
+    cutCells(state, options, cut, shrink > 0 && peel === 0 ? null : this.adjacencyOf(state));
     this.cellUniforms.uClips.value = exact && !only ? 1 : 0;
     const plain = parseColor(theme.dark ? '#3a4a54' : '#d3e1e9');
     batch.reserve(cut.count);

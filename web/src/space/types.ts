@@ -54,6 +54,7 @@ export interface SpaceLook {
   readonly labels: boolean; // numbers of vertices, where there is room
   readonly clip: ClipLook | null;
   readonly shrink: number; // 0 to 1: cells drawn towards their centroids, an exploded view
+  readonly peel: number; // layers of cells that are taken off the boundary
   readonly color: ColorMode;
   readonly highlight: ReadonlySet<number> | null; // cells to show alone, by number
 }
@@ -72,6 +73,7 @@ export const defaultLook: SpaceLook = {
   labels: false,
   clip: null,
   shrink: 0,
+  peel: 0,
   color: 'plain',
   highlight: null,
 };

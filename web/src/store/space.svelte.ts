@@ -9,6 +9,9 @@ import {
 
 const axes: Record<'x' | 'y' | 'z', Point3> = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] };
 
+/** Layers of tetrahedra that can be taken off. */
+export const MOST_LAYERS = 12;
+
 /** How space is looked at: what is drawn of faces and cells, the clip plane, how far cells are apart. */
 export class SpaceSettings {
   look = $state.raw<SpaceLook>(defaultLook);
@@ -63,7 +66,7 @@ export class SpaceSettings {
 
   /** From a link: what is not as it should be stays as at a first visit. */
   adopt(shared: SharedLook): void {
-    const { faces, clip, shrink, color } = shared;
+    const { faces, clip, shrink, peel, color } = shared;
     const flag = (
       name: 'facets' | 'cells' | 'outside' | 'vertices' | 'collars' | 'surfaces' | 'labels',
     ) => (typeof shared[name] === 'boolean' ? shared[name] : defaultLook[name]);
@@ -78,6 +81,7 @@ export class SpaceSettings {
       labels: flag('labels'),
       clip: isClip(clip) ? clip : null,
       shrink: typeof shrink === 'number' && shrink >= 0 && shrink <= 1 ? shrink : 0,
+      peel: Number.isInteger(peel) && peel! >= 0 && peel! <= MOST_LAYERS ? peel! : 0,
       color: colorModes[3].includes(color as ColorMode) ? (color as ColorMode) : 'plain',
       highlight: null,
     };

@@ -36,6 +36,8 @@ export const spaceTexts = {
       labels: 'Vertex numbers',
     },
     shrink: 'Take apart',
+    peel: 'Peel off',
+    layers: (n: number) => (n === 0 ? 'nothing' : n === 1 ? '1 layer' : `${n} layers`),
     explode: 'Take the tetrahedra apart',
     clip: {
       title: 'Clip plane',
