@@ -159,3 +159,66 @@ test.describe('a run in space', () => {
     await expect(page.getByRole('group', { name: 'Histogram of angles' })).toBeVisible();
   });
 });
+
+test.describe('collars in space', () => {
+  test('are drawn, told of, hidden and carried by a link with the face beside them', async ({
+    page,
+  }) => {
+    await page.goto('/?plain#example=pyramid&algorithm=collar&step=2c');
+    await finished(page);
+    await expect(sentence(page)).toContainText('Step 2c ends');
+    const legend = page.getByLabel('Legend of the picture');
+    await expect(legend).toContainText('Protected piece');
+    await page.getByRole('tab', { name: 'Mesh' }).click();
+    const drawn = await picture(page);
+    await page.getByLabel('Collars', { exact: true }).uncheck();
+    await expect(legend).not.toContainText('Protected piece');
+    expect(await picture(page)).not.toBe(drawn);
+    await page.getByLabel('Collars', { exact: true }).check();
+    expect(await picture(page)).toBe(drawn);
+    await canvas(page).focus();
+    await page.keyboard.press('ArrowLeft');
+    await page.keyboard.press('ArrowLeft');
+    await expect(sentence(page)).toContainText('is drawn');
+    await page.keyboard.press('o');
+    const face = page.getByRole('spinbutton', { name: 'Number of the face' });
+    await face.fill('2');
+    await face.press('Enter');
+    await page.getByRole('button', { name: 'Share' }).click();
+    const link = await page.getByRole('dialog').locator('input, textarea').first().inputValue();
+    await page.goto('about:blank');
+    await page.goto(`/?plain${link.slice(link.indexOf('#'))}`);
+    await finished(page);
+    await expect(face).toHaveValue('2');
+    await expect(sentence(page)).toContainText('is drawn');
+  });
+
+  test('say which of them stops a tetrahedron that is left above tau', async ({ page }) => {
+    await page.goto('/?plain#example=schoenhardt&algorithm=collar&step=3');
+    await finished(page);
+    await page.getByRole('tab', { name: 'Mesh' }).click();
+    const before = await picture(page);
+    await page
+      .getByRole('button', { name: /^tetrahedron / })
+      .first()
+      .click();
+    await expect(page.getByTestId('space-inspector')).toContainText('Theorem 6.11');
+    await expect(page.getByTestId('space-inspector')).toContainText(
+      /in the ball of .*collar simplex/,
+    );
+    expect(await picture(page)).not.toBe(before);
+  });
+
+  test('stand beside the same input without them, in step by steps, with one view', async ({
+    page,
+  }) => {
+    await page.goto('/?plain#example=schoenhardt&algorithm=ruppert&compare=collar&maxVertices=300');
+    await expect(page.getByRole('radio', { name: 'steps' })).toBeChecked();
+    await page.getByRole('button', { name: 'View from above' }).click();
+    const right = page.getByTestId('pane-2');
+    await expect(right.getByTestId('pane-counts')).toContainText('Vertices');
+    await page.keyboard.press('End');
+    await expect(page.getByTestId('differences')).toContainText('by a limit');
+    await expect(page.getByTestId('differences')).toContainText('by itself');
+  });
+});

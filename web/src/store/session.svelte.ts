@@ -68,7 +68,7 @@ interface Words {
 
 /**
  * A link that can be written by hand: "#example=fan", "#example=fan&compare=collar", "#example=unit-square&function=smooth",
- * "#example=pyramid&algorithm=collar&step=2c&face=0". Null: the address is none; throws a sentence if it names what there is not.
+ * "#example=pyramid&algorithm=collar&step=2c&face=0", "…&maxVertices=2000" for a run that would not end. Null: the address is none; throws a sentence if it names what there is not.
  */
 function fromWords(hash: string): Words | null {
   const words = new URLSearchParams(hash.slice(1));
@@ -77,12 +77,15 @@ function fromWords(hash: string): Words | null {
   const known = examples.find((e) => e.id === id);
   if (!known) throw new Error(texts.open.noExample(id));
   const algorithm = words.get('algorithm');
-  const example = algorithm === null ? known : { ...known, options: optionsFor(known, algorithm) };
+  const most = Number.parseInt(words.get('maxVertices') ?? '', 10);
+  const bound = most > 0 ? { maxVertices: most } : {};
+  const own = algorithm === null ? known.options : optionsFor(known, algorithm);
+  const example = { ...known, options: { ...own, ...bound } };
   const beside = words.get('compare');
   const face = Number.parseInt(words.get('face') ?? '', 10);
   return {
     example,
-    compare: beside === null ? null : optionsFor(known, beside),
+    compare: beside === null ? null : { ...optionsFor(known, beside), ...bound },
     function: words.get('function'),
     step: words.get('step'),
     face: Number.isNaN(face) ? null : face,
