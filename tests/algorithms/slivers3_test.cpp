@@ -112,6 +112,30 @@ TEST(Slivers, AreFewerAndEverythingPromisedHoldsStill) {
   }
 }
 
+/// Between two plates there is no room but in the plates.
+TEST(Slivers, NextToFacesGiveWayToPointsOfTheFaces) {
+  Random random(11);
+  const Rotation turn(&random);
+  SolidBuilder b({1, &turn, {5, 0.1, -2}});
+  b.box({0, 0, 0}, {3, 3, 3});
+  b.builder().face(b.square(0.5, 2.5, 1.4));
+  b.builder().face(b.square(0.4, 2.4, 1.5));
+  const auto run = finish(b.complex(), removing("ruppert", "10"));
+  ASSERT_TRUE(run);
+  expect_kept_promises(*run);
+  ASSERT_TRUE(run->sliver_removal());
+  const Mesh mesh = run->mesh();
+  const std::uint64_t before = run->sliver_removal()->before.slivers;
+  EXPECT_GT(before, 40u);
+  EXPECT_LT(dihedral_histogram(mesh, 10).slivers, before / 5);
+  std::size_t in_faces = 0;
+  for (std::size_t v = mesh.vertices.size() - run->steps().back().inserted;
+       v < mesh.vertices.size(); ++v) {
+    in_faces += mesh.vertex_features[v].kind == FeatureKind::kFace;
+  }
+  EXPECT_GT(in_faces, 0u);
+}
+
 /// The argument for its end.
 TEST(Slivers, BecomeFewerWithEveryVertex) {
   Trace trace;

@@ -25,41 +25,64 @@ Verdict Slivers3::unacceptable(const SolidView& view, const CellRef& c) const {
 
 /// By how many the insertion of p, just looked at, would lower the number of slivers; `least` or
 /// less if it would by no more than that, or would lose anything else.
-int Slivers3::gain(SolidView& view, const CellRef& c, const Point3& p, int least) const {
-  if (!view.cavity_is_in_one_part(c)) return least;
+int Slivers3::gain(const SolidView& view, const Point3& p, int least) const {
   if (min_edge > 0 && view.insertion_radius(p) < min_edge) return least;
   int balance = 0;
-  view.for_each_dying(
-      [&](const CellRef& dead) { balance += view.least_dihedral_cosine(dead) > cosine; });
-  view.for_each_in_star([&](const Point3& q, const Point3& r, const Point3& s) {
-    // The corners as a cell born has them, so that rounding makes no difference.
-    balance -= least_dihedral_cosine(p, q, r, s) > cosine;
-    if (balance > least && quality.too_bad(view, c, tetrahedron_shape(p, q, r, s))) balance = least;
-    return balance > least;
+  view.for_each_dying([&](const CellRef& dead) {
+    balance += view.in_domain(dead) && view.least_dihedral_cosine(dead) > cosine;
   });
+  view.for_each_in_star(
+      [&](const CellRef& dead, const Point3& q, const Point3& r, const Point3& s) {
+        if (!view.in_domain(dead)) return true;
+        // The corners as a cell born has them, so that rounding makes no difference.
+        balance -= least_dihedral_cosine(p, q, r, s) > cosine;
+        if (balance > least && quality.too_bad(view, dead, tetrahedron_shape(p, q, r, s))) {
+          balance = least;
+        }
+        return balance > least;
+      });
   return balance;
 }
 
 Proposal3 Slivers3::action(SolidView& view, const CellRef& c) const {
   const TetrahedronShape shape = view.shape(c);
+  if (!std::isfinite(shape.circumradius2)) return refuse(shape.circumcenter, Reason::kPrecision);
   // The birth of a cell is its number, and the same everywhere.
   PickingRegion region(shape.circumcenter, std::sqrt(shape.circumradius2), view.key(c));
   Proposal3 best = refuse(shape.circumcenter, Reason::kNoRoom);
+  FaceTriangle of_best;
   int most = 0;
   for (int k = 0, enough = 0; k < kTries && enough < kEnough; ++k) {
     // The nearer to the circumcenter, the farther from all vertices.
-    const Point3 p = region.next(0.95 * k / kTries);
-    if (view.look(p, c) != Outlook3::kFree) continue;
-    const int better = gain(view, c, p, most);
+    Point3 p = region.next(0.95 * k / kTries);
+    FaceTriangle t;
+    switch (view.look(p, c)) {
+      case Outlook3::kFree:
+        if (!view.cavity_is_in_one_part(c)) continue;
+        break;
+      case Outlook3::kEncroaches:
+        t = view.triangle_in_the_way();
+        if (t.face == kNone) continue;
+        p = view.projection(p, t.face);
+        if (view.look_in_face(p, t) != Outlook3::kFree) continue;
+        break;
+      default:
+        continue;
+    }
+    const int better = gain(view, p, most);
     if (better > most) {
       most = better;
       best = insert(p, Reason::kPicked);
+      of_best = t;
+      if (t.face != kNone) best.feature = {FeatureKind::kFace, t.face};
     } else if (most == 0) {
       best.reason = Reason::kNotImproved;
     }
     enough += most > 0;
   }
-  if (most > 0) view.look(best.at, c);  // its cavity is the last one found
+  if (most > 0) {  // its cavities are the last that were found
+    of_best.face == kNone ? view.look(best.at, c) : view.look_in_face(best.at, of_best);
+  }
   return best;
 }
 

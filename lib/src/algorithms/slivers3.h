@@ -16,8 +16,10 @@ namespace circumball {
 ///
 /// It ends: every insertion lowers the number of slivers. Nothing that held before is lost: the
 /// point is in the ball of no subsegment, collar element or triangle of a face, so that segments
-/// and faces stay what they are, and new tetrahedra have RE(t) <= tau and keep the bounds on sizes.
-/// What remains is refused with a reason.
+/// and faces stay what they are; or, where triangles of a face beyond the collars are in the way,
+/// it is projected onto that face (as Li picks in faces, too), and the triangles that are made
+/// there have no vertex in their balls (thesis, Proposition 6.7). New tetrahedra have RE(t) <= tau
+/// and keep the bounds on sizes. What remains is refused with a reason.
 struct Slivers3 {
   static constexpr bool kTetrahedra = true;
   /// Points tried for a sliver, and how many that will do are compared.
@@ -45,8 +47,8 @@ struct Slivers3 {
     return {};
   }
 
-  /// Action: of points of the ball, those about its circumcenter first, the one is inserted that
-  /// lowers the number of slivers most.
+  /// Action: of points of the ball, those about its circumcenter first, or their projections, the
+  /// one is inserted that lowers the number of slivers most.
   Proposal3 action(SolidView& view, const CellRef& c) const;
   template <class Simplex>
   Proposal3 action(const SolidView&, const Simplex&) const {
@@ -54,7 +56,7 @@ struct Slivers3 {
   }
 
  private:
-  int gain(SolidView& view, const CellRef& c, const Point3& p, int least) const;
+  int gain(const SolidView& view, const Point3& p, int least) const;
 };
 
 }  // namespace circumball

@@ -161,7 +161,7 @@ class SolidAgenda {
     if constexpr (std::is_same_v<Simplex, SubsegmentId>) splitting = s;
     if constexpr (std::is_same_v<Simplex, PatchId>) splitting = generator_of(w.live, s);
     const VertexId v = insert_vertex(w, view, w.recorder.insertion_of(s, p.reason), p.at,
-                                     feature_of(w.live, s), splitting);
+                                     feature_of(w.live, s, p), splitting);
     ++insertions_;
     const auto ask = [&](const auto& simplex, const Verdict& why) {
       if (why) queue(simplex, why);
@@ -393,18 +393,18 @@ class SolidAgenda {
   static bool is_frozen(const Live3& live, const FaceTriangle& t) { return live.is_frozen(t); }
   static bool is_frozen(const Live3&, const CellRef&) { return false; }
   static bool is_frozen(const Live3& live, PatchId p) { return live.intestine().patch(p).frozen; }
-  static Feature feature_of(const Live3& live, SubsegmentId s) {
+  static Feature feature_of(const Live3& live, SubsegmentId s, const Proposal3&) {
     const Subsegment& u = live.subsegment(s);
     if (u.is_collar_element()) return {FeatureKind::kFace, u.face};
     if (u.is_ring_arc()) return {FeatureKind::kFree, kNoIndex};
     return {FeatureKind::kSegment, u.segment.value};
   }
-  static Feature feature_of(const Live3&, const FaceTriangle& t) {
+  static Feature feature_of(const Live3&, const FaceTriangle& t, const Proposal3&) {
     return {FeatureKind::kFace, t.face};
   }
-  static Feature feature_of(const Live3&, const CellRef&) { return {FeatureKind::kFree, kNoIndex}; }
+  static Feature feature_of(const Live3&, const CellRef&, const Proposal3& p) { return p.feature; }
   /// Rings begin in the first base direction.
-  static Feature feature_of(const Live3& live, PatchId id) {
+  static Feature feature_of(const Live3& live, PatchId id, const Proposal3&) {
     const Patch& patch = live.intestine().patch(id);
     if (patch.is_of_sphere()) return {FeatureKind::kFree, kNoIndex};
     const Ring& ring = live.intestine().ring(patch.ring);

@@ -146,6 +146,28 @@ bool SolidView::is_flat(const CellRef& c, const TetrahedronShape& shape) const {
 
 // --- points that are not inserted yet
 
+FaceTriangle SolidView::triangle_in_the_way() const {
+  if (!segments_.empty() || triangles_.empty()) return {};
+  const bool free = std::none_of(triangles_.begin(), triangles_.end(),
+                                 [&](const FaceTriangle& t) { return is_in_collar(t); });
+  return free ? triangles_[0] : FaceTriangle();
+}
+
+Outlook3 SolidView::look_in_face(const Point3& p, const FaceTriangle& t) {
+  segments_.clear();
+  triangles_.clear();
+  FaceRefinement& face = live_.face(t.face);
+  if (!probe(p, corners(t)[0]) || !face.probe(p, t.id)) return Outlook3::kCoincides;
+  find_encroached_segments(p);
+  find_encroached_triangles(p);
+  const bool encroaches =
+      !segments_.empty() ||
+      std::any_of(triangles_.begin(), triangles_.end(),
+                  [&](const FaceTriangle& u) { return u.face != t.face || is_in_collar(u); });
+  if (encroaches) return Outlook3::kEncroaches;
+  return face.plane().contains(face.plane().to_plane(p)) ? Outlook3::kFree : Outlook3::kOutside;
+}
+
 bool SolidView::cavity_is_in_one_part(const CellRef& c) const {
   const std::uint32_t label = dt_.label(c.slot);
   for (const CellSlot d : dt_.cavity()) {

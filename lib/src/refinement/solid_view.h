@@ -122,6 +122,17 @@ class SolidView : public View3 {
   /// as they are.
   bool is_flat(const CellRef& c, const TetrahedronShape& shape) const;
   double volume_bound(const CellRef& c) const { return live_.volume_bound(c.slot); }
+  /// Looks at p, a point of the plane of the face of t near t, as a vertex of that face: whether it
+  /// encroaches upon segments, or upon triangles of other faces.
+  Outlook3 look_in_face(const Point3& p, const FaceTriangle& t);
+  /// Where p, just looked at, encroaches upon no segment, but upon triangles of faces beyond all
+  /// collars: the first of them; face kNone elsewhere.
+  FaceTriangle triangle_in_the_way() const;
+  /// The projection of p onto the plane of a face.
+  Point3 projection(const Point3& p, std::uint32_t face) const {
+    const FacePlane& plane = live_.face(face).plane();
+    return plane.to_space(plane.to_plane(p));
+  }
   /// Looks at the circumcenter p of c: whether it encroaches upon segments, or where upon none,
   /// upon triangles of faces.
   Outlook3 look(const Point3& p, const CellRef& c);
@@ -145,12 +156,15 @@ class SolidView : public View3 {
   void for_each_dying(F f) const {
     for (const CellSlot c : dt_.cavity()) f(CellRef{c, dt_.cell(c).birth});
   }
-  /// Calls f(a, b, c) -> bool (go on?) for the corners of each cell born, beside the point itself.
+  /// Calls f(dead, a, b, c) -> bool (go on?) for each cell born: its corners beside the point
+  /// itself, and the cell that dies there, whose part of the domain it will belong to.
   template <class F>
   void for_each_in_star(F f) const {
     for (const CellFacet facet : dt_.cavity_boundary()) {
-      if (!f(dt_.point(dt_.facet_corner(facet, 0)), dt_.point(dt_.facet_corner(facet, 1)),
-             dt_.point(dt_.facet_corner(facet, 2)))) {
+      const CellSlot dead = facet / 4;
+      if (dt_.is_ghost(dead)) continue;
+      if (!f(CellRef{dead, dt_.cell(dead).birth}, dt_.point(dt_.facet_corner(facet, 0)),
+             dt_.point(dt_.facet_corner(facet, 1)), dt_.point(dt_.facet_corner(facet, 2)))) {
         return;
       }
     }

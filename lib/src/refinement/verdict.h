@@ -23,6 +23,7 @@ struct ProposalOf {
   ProposalKind kind = ProposalKind::kRefuse;
   Reason reason = Reason::kNone;
   Point at;
+  Feature feature = {};  ///< that a vertex inserted for a cell lies on
 };
 
 }  // namespace circumball
