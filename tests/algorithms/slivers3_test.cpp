@@ -161,7 +161,8 @@ TEST(Slivers, BecomeFewerWithEveryVertex) {
     EXPECT_EQ(e.reason, Reason::kPicked);
     int balance = 0;
     for (std::uint32_t k = 0; k < e.other[0] + e.other[1]; ++k) {
-      const bool is_sliver = least_dihedral(mesh, simplex + 5 * k) < 12;
+      const bool is_inside = simplex[5 * k + 4] == 1;
+      const bool is_sliver = is_inside && least_dihedral(mesh, simplex + 5 * k) < 12;
       balance += is_sliver ? (k < e.other[0] ? 1 : -1) : 0;
     }
     EXPECT_GT(balance, 0) << "vertex " << e.subject;
