@@ -180,6 +180,23 @@ std::vector<Complex> some_acute_complexes() {
   return list;
 }
 
+TEST(CollarInSpace, PiecesOfProtectedSegmentsDifferByAFactorOfTwoFromTheirNeighbors) {
+  for (const Complex& complex : some_acute_complexes()) {
+    const Moment m(complex, collar(), "2b");
+    ASSERT_TRUE(m.run);
+    std::map<std::array<std::uint32_t, 2>, double> length2;  // of segment and end: of the other one
+    for (const ProtectingElement& p : m.elements) {
+      if (p.a < complex.vertices.size() || p.b < complex.vertices.size()) continue;
+      const double here = m.dot(p.a, p.b, p.b);
+      for (const std::uint32_t v : {p.a, p.b}) {
+        const auto [other, first] = length2.try_emplace({p.carrier, v}, here);
+        if (first) continue;
+        EXPECT_LE(std::max(here, other->second), 4.0001 * std::min(here, other->second));
+      }
+    }
+  }
+}
+
 TEST(CollarInSpace, Lemma65HoldsAfterStep2cButForArcs) {
   std::size_t elements = 0;
   for (const Complex& complex : some_acute_complexes()) {

@@ -99,25 +99,22 @@ std::vector<AlgorithmInfo> algorithms_in_space() {
   collar.title = "Refinement with collars in space";
   collar.thesis = "Algorithms 6.1 and 6.2";
   collar.action =
-      "Split segments until they are short against their feature sizes (Algorithm 4.1), end "
-      "segments "
-      "at a vertex alike; put collar vertices beside them into every face. Then insert the "
+      "Split segments at acute angles until they are short against their feature sizes, end "
+      "segments at a vertex alike; put collar vertices beside them into every face. Then insert "
+      "the "
       "circumcenter of a simplex, unless it encroaches upon the diametral ball of a simplex of "
-      "lower "
-      "dimension, collar segment or collar arc: this is queued instead. Collar segments are split "
-      "at "
-      "their midpoint, collar arcs at the midpoint of the arc.";
+      "lower dimension, collar segment or collar arc: this is queued instead. Collar segments are "
+      "split at their midpoint, collar arcs at the midpoint of the arc.";
   collar.priority =
       "Collar segments and arcs are given the highest priority. Simplices are prioritized by "
       "dimension, lower ones are processed first.";
   collar.unacceptability =
-      "A collar segment, a collar arc or a triangle of a face is unacceptable if its circumball is "
-      "not empty. A tetrahedron $t$ is unacceptable if its radius-edge ratio is greater than "
-      "$\\tau$.";
+      "A segment, collar segment, collar arc or triangle of a face is unacceptable if its "
+      "circumball is not empty. A tetrahedron $t$ is unacceptable if its radius-edge ratio is "
+      "greater than $\\tau$.";
   collar.safety =
-      "It is not safe to split any collar simplex: pieces of input segments, and triangles of "
-      "faces "
-      "between them and the collar segments and arcs.";
+      "It is not safe to split any collar simplex: pieces of protected segments, and triangles of "
+      "faces between them and the collar segments and arcs.";
   collar.parameters[0].default_value = "2.3";
   collar.parameters.push_back({"protect", "acute", "acute|all", "",
                                "which vertices and segments are protected: those at which others "
