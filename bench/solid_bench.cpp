@@ -2,7 +2,10 @@
 // angles: the same radius-edge threshold, volume bounds of TetGen tuned to equal numbers of
 // vertices.
 //
-//   solid_bench [cells] [repeats]     cells: the largest mesh, 1000000 by default; prints medians
+//   solid_bench [cells] [repeats] [solid]
+//
+// cells: the largest mesh, 1000000 by default; solid: of those alone whose name holds this. Prints
+// medians.
 #define TETLIBRARY
 #include <tetgen.h>
 
@@ -190,7 +193,9 @@ int main(int argc, char** argv) {
   const int repeats = argc > 2 ? std::max(1, std::atoi(argv[2])) : 3;
   std::printf("%-21s %8s %8s %8s %9s %9s %7s %9s %7s\n", "", "vertices", "cells", "TetGen's", "k/s",
               "TetGen's", "ratio", "no flips", "ratio");
+  const std::string wanted = argc > 3 ? argv[3] : "";
   for (const Solid& solid : solids()) {
+    if (solid.name.find(wanted) == std::string::npos) continue;
     double size = extent(solid.complex) / 10;
     for (double cells = 1e4; cells <= 1.01 * most; cells *= 10) {
       size = tune_ours(solid.complex, cells, size);
