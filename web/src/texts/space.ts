@@ -155,6 +155,16 @@ export const spaceTexts = {
       },
     } as Readonly<Record<string, Readonly<Record<string, string>>>>,
   },
+  /** The rules of the step that removes slivers. */
+  sliverRules: {
+    source: 'Chew 1997, Li 2000, Li and Teng 2001',
+    unacceptability:
+      'A tetrahedron is unacceptable if its smallest dihedral angle is below the bound.',
+    priority: 'The first that was found is processed first; those refused once more at the end.',
+    safety: 'It is safe to split any tetrahedron.',
+    action:
+      'Of sixty points in the ball of the tetrahedron insert the one that lowers the number of slivers most, if it encroaches upon nothing and every new tetrahedron has a radius-edge ratio of at most $\\tau$; where triangles of a face are in the way, points of that face.',
+  },
   /** Below the histogram, of its outline. */
   slivers: (before: string, now: string, bound: string) =>
     `before slivers were removed: ${before} tetrahedra with an angle below ${bound}, now ${now}`,
