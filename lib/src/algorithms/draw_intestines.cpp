@@ -228,10 +228,14 @@ class DrawIntestines final : public Stage3 {
     Intestines& intestine = w.live.intestine();
     const auto& bases = intestine.tube_of(intestine.ring(r)).bases;
     for (std::size_t k = 0; k < bases.size(); ++k) {
-      if (bases[k].face == kNoIndex) continue;
+      if (bases[k].face == kNoIndex && intestine.structured()) continue;
       const VertexId a = intestine.ring(before).at(k * kRingGap),
                      b = intestine.ring(r).at(k * kRingGap);
       if (!a.valid() || !b.valid()) continue;
+      if (bases[k].face == kNoIndex) {
+        w.live.create_generator(a, b, before);
+        continue;
+      }
       w.recorder.protection_began(w.live.create_collar_element(a, b, bases[k].face, VertexId()));
     }
   }

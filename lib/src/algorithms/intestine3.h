@@ -37,17 +37,21 @@ struct IntestineElements3 : Conform3 {
     return insert(view.midpoint(s), why);
   }
   Proposal3 action(SolidView& view, PatchId p) const {
-    if (!view.patch(p).is_of_sphere()) {
+    if (!view.patch(p).is_of_sphere() && view.is_structured()) {
       const Point3 at = view.place_on_new_ring(p);
       return view.propose_arcs(p) ? yield3(at) : insert(at, Reason::kRing);
     }
-    const Point3 top = view.top(p);
+    bool inside = true;
+    const Point3 top =
+        view.patch(p).is_of_sphere() ? view.top(p) : view.projected_circumcenter(p, &inside);
     switch (view.look(top, p)) {
       case Outlook3::kEncroaches:
         return yielded_unless_protected(view, top);
       case Outlook3::kCoincides:
         return refuse(top, Reason::kPrecision);
       default:
+        // Where rounding, or the curvature of rings, lets it miss its cell, a side is in its way.
+        if (!inside) return view.propose_sides(p) ? yield3(top) : refuse(top, Reason::kProtected);
         return insert(top, Reason::kSurface);
     }
   }

@@ -171,7 +171,24 @@ std::vector<AlgorithmInfo> algorithms_in_space() {
       "6.14). No complex was met where it does not end; that it always does is Conjecture 6.16.";
   structured.checks = {"topology",    "delaunay", "input-vertices", "input-segments",
                        "input-faces", "volume",   "intestine"};
-  return {delaunay, feature_size, ruppert, collar, structured};
+
+  AlgorithmInfo intestine = structured;
+  intestine.id = "intestine";
+  intestine.title = "Refinement with intestines in space";
+  intestine.thesis = "Algorithms 6.1 and 6.3";
+  intestine.action =
+      "Split segments until they are short against their distances from other features, end "
+      "segments at a vertex alike; put spheres about input vertices and tubes about segments, "
+      "which "
+      "keep them apart from the rest. Then insert the circumcenter of a simplex, on a sphere or "
+      "tube its projection onto it, unless it encroaches upon the ball of a simplex, arc or patch "
+      "of lower dimension: this is queued instead. Arcs are split at their midpoint.";
+  intestine.guarantee =
+      "When it ends, every tetrahedron outside of spheres and tubes has a radius-edge ratio of at "
+      "most $\\tau$ (Theorem 6.15). Inside of the tubes the Delaunay tetrahedralization need not "
+      "conform: one that does and matches takes its place there, and the check says which of its "
+      "cells are not Delaunay. That it always ends is Conjecture 6.16.";
+  return {delaunay, feature_size, ruppert, collar, structured, intestine};
 }
 
 }  // namespace circumball

@@ -98,7 +98,7 @@ Mesh export_mesh(Live3* live, std::uint32_t input_vertices) {
   std::vector<CellSlot> scratch;
   for (std::uint32_t i = 0; i < live->subsegment_count(); ++i) {
     const Subsegment& u = live->subsegment(SubsegmentId(i));
-    if (!u.alive || u.is_ring_arc()) continue;
+    if (!u.alive || u.is_of_tube()) continue;
     if (live->classified() && !edge_is_in_domain(*live, u.a, u.b, &scratch)) continue;
     mesh.edges.push_back({u.a.value, u.b.value, u.segment.value});
     if (!segment_markers) continue;

@@ -64,7 +64,17 @@ void Intestines::make_patches(const Delaunay3& dt, const std::vector<bool>& is_t
   cells_.resize(rings_.size());
   for (std::uint32_t r = 0; r < rings_.size(); ++r) {
     cells_[r].resize(tube_of(rings_[r]).bases.size());
-    for (std::uint32_t gap = 0; gap < cells_[r].size(); ++gap) rebuild(r, gap);
+    for (std::uint32_t gap = 0; gap < cells_[r].size(); ++gap) {
+      if (structured_) rebuild(r, gap);
+    }
+  }
+  if (!structured_) {
+    developed_.resize(rings_.size());
+    for (std::uint32_t r = 0; r < rings_.size(); ++r) {
+      if (rings_[r].next == kNoIndex) continue;
+      const Tube& tube = tube_of(rings_[r]);
+      for (std::uint32_t gap = 0; gap < tube.bases.size(); ++gap) develop(r, gap);
+    }
   }
   for (Sphere& s : spheres_) {
     std::sort(s.vertices.begin(), s.vertices.end());
@@ -237,8 +247,14 @@ void Intestines::rebuild(std::uint32_t r, std::uint32_t gap) {
 void Intestines::split_arc(const Delaunay3& dt, std::uint32_t r, RingKey key, VertexId v) {
   add_to_ring(r, key, v);
   const auto gap = static_cast<std::uint32_t>(key / kRingGap);
-  rebuild(r, gap);
-  if (rings_[r].previous != kNoIndex) rebuild(rings_[r].previous, gap);
+  for (const std::uint32_t piece : {r, rings_[r].previous}) {
+    if (piece == kNoIndex) continue;
+    if (structured_) {
+      rebuild(piece, gap);
+    } else {
+      insert_in_cell(piece, gap, v);
+    }
+  }
   if (rings_[r].sphere != kNoIndex) split_sphere(dt, rings_[r].sphere, v);
 }
 
@@ -259,6 +275,131 @@ std::uint32_t Intestines::insert_ring(const Delaunay3&, std::uint32_t before, Ri
     for (std::uint32_t gap = 0; gap < gaps; ++gap) rebuild(r, gap);
   }
   return number;
+}
+
+// --- cells of 6.3
+
+Point2 Intestines::place_in_cell(VertexId v, std::uint32_t r, std::uint32_t gap) const {
+  const On& on = on_[v.value];
+  if (on.ring != kNoIndex) {
+    const RingKey key = rings_[on.ring].key_of(v), low = gap * kRingGap;
+    const double t = on.ring == r ? 0 : 1;
+    // The first base direction ends the last gap, too.
+    if (key < low || key > low + kRingGap) return {1, t};
+    return {static_cast<double>(key - low) / static_cast<double>(kRingGap), t};
+  }
+  return {on.gap == gap ? on.part : 1, on.t};
+}
+
+std::uint32_t Intestines::piece_of(VertexId a, VertexId b, VertexId c) const {
+  std::uint32_t low = kNoIndex, high = kNoIndex;  // rings that corners are on
+  for (const VertexId v : {a, b, c}) {
+    if (tube_at(v) == kNoIndex) return kNoIndex;
+    const On& on = on_[v.value];
+    if (on.piece != kNoIndex) return on.piece;
+    if (low == kNoIndex) {
+      low = on.ring;
+    } else if (on.ring != low) {
+      high = on.ring;
+    }
+  }
+  if (high == kNoIndex) return kNoIndex;
+  return rings_[low].next == high ? low : rings_[high].next == low ? high : kNoIndex;
+}
+
+void Intestines::develop(std::uint32_t r, std::uint32_t gap) {
+  const Ring &a = rings_[r], &b = rings_[a.next];
+  const auto gaps = static_cast<std::uint32_t>(tube_of(a).bases.size());
+  developed_[r].emplace_back(tube_of(a), gap, a, b);
+  TubeCell& cell = developed_[r].back();
+  std::vector<VertexId> corners;
+  for (const Ring* ring : {&a, &b}) {
+    for (const RingVertex& v : ring->vertices) {
+      if (v.key / kRingGap == gap || v.key == (gap + 1) % gaps * kRingGap) {
+        corners.push_back(v.vertex);
+      }
+    }
+  }
+  std::sort(corners.begin(), corners.end());
+  for (const VertexId v : corners) {
+    const Point2 at = place_in_cell(v, r, gap);
+    cell.add(v, at.x, at.y);
+  }
+  cell.insert_all();
+  cell.triangulation().for_each_triangle([&](TriangleId t) { create_in_cell(r, gap, t); });
+}
+
+/// All triangles but those with all corners on one ring, or on one generator.
+void Intestines::create_in_cell(std::uint32_t r, std::uint32_t gap, TriangleId t) {
+  const TubeCell& cell = developed_[r][gap];
+  Corners v;
+  int at[4] = {0, 0, 0, 0};
+  for (unsigned i = 0; i < 3; ++i) {
+    v[i] = cell.global(cell.triangulation().triangle(t).v[i]);
+    const Point2 p = place_in_cell(v[i], r, gap);
+    at[0] += p.x == 0;
+    at[1] += p.x == 1;
+    at[2] += p.y == 0;
+    at[3] += p.y == 1;
+  }
+  if (std::any_of(at, at + 4, [](int corners) { return corners == 3; })) return;
+  create(v, kNoIndex, r, gap);
+}
+
+void Intestines::insert_in_cell(std::uint32_t r, std::uint32_t gap, VertexId v) {
+  if (rings_[r].next == kNoIndex) return;
+  TubeCell& cell = developed_[r][gap];
+  const Point2 at = place_in_cell(v, r, gap);
+  if (!cell.insert(v, at.x, at.y)) return;
+  for (const Delaunay2::Triangle& t : cell.triangulation().died()) {
+    if (Delaunay2::is_ghost(t)) continue;
+    const PatchId p = patch_with(cell.global(t.v[0]), cell.global(t.v[1]), cell.global(t.v[2]));
+    if (p.valid() && patches_[p.value].ring == r && patches_[p.value].gap == gap) kill(p);
+  }
+  for (const TriangleId t : cell.triangulation().born()) {
+    if (!cell.triangulation().is_ghost(t)) create_in_cell(r, gap, t);
+  }
+}
+
+void Intestines::split_generator(VertexId a, VertexId b, VertexId v) {
+  On between;
+  RingKey key = 0;
+  std::uint32_t r = ring_before(a, b, &key);
+  for (const VertexId end : {a, b}) {
+    const On& at = on_[end.value];
+    if (at.piece == kNoIndex) continue;
+    r = at.piece;
+    key = at.gap * kRingGap;
+  }
+  if (r == kNoIndex) return;
+  const auto gap = static_cast<std::uint32_t>(key / kRingGap);
+  const auto gaps = static_cast<std::uint32_t>(tube_of(rings_[r]).bases.size());
+  between.tube = rings_[r].tube;
+  between.piece = r;
+  between.gap = gap;
+  between.t = 0.5 * (place_in_cell(a, r, gap).y + place_in_cell(b, r, gap).y);
+  on(v) = between;
+  insert_in_cell(r, gap, v);
+  insert_in_cell(r, (gap + gaps - 1) % gaps, v);
+}
+
+void Intestines::split_patch(PatchId id, VertexId v) {
+  const Patch patch = patches_[id.value];
+  const TubeCell& cell = developed_[patch.ring][patch.gap];
+  Point2 p[3];
+  for (unsigned i = 0; i < 3; ++i) {
+    const Point2 at = place_in_cell(patch.v[i], patch.ring, patch.gap);
+    p[i] = cell.developed(at.x, at.y);
+  }
+  const Point2 at = cell.undeveloped(circumcenter_extended(p[0], p[1], p[2]));
+  On between;
+  between.tube = rings_[patch.ring].tube;
+  between.piece = patch.ring;
+  between.gap = patch.gap;
+  between.part = at.x;
+  between.t = at.y;
+  on(v) = between;
+  insert_in_cell(patch.ring, patch.gap, v);
 }
 
 // --- spheres

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "complex/ring.h"
+#include "complex/tube_cell.h"
 #include "delaunay/delaunay3.h"
 
 namespace circumball {
@@ -31,7 +32,8 @@ struct Patch {
 /// the patches that they are made of at present.
 class Intestines {
  public:
-  /// How tubes are refined: by rings (Algorithm 6.4).
+  /// How tubes are refined: by rings (Algorithm 6.4), or cell by cell, between rings and base
+  /// directions, by circumcenters in the developed surface (6.3).
   explicit Intestines(bool structured) : structured_(structured) {}
   bool structured() const { return structured_; }
 
@@ -83,6 +85,16 @@ class Intestines {
     return sphere_of(v) != kNoIndex || tube_at(v) != kNoIndex;
   }
 
+  // --- cells of tubes (6.3), by the ring before them and the base direction before them
+  const TubeCell& cell(std::uint32_t ring, std::uint32_t gap) const {
+    return developed_[ring][gap];
+  }
+  /// Where a vertex is in a cell that it belongs to: part of the angle, part of the way.
+  Point2 place_in_cell(VertexId v, std::uint32_t ring, std::uint32_t gap) const;
+  /// The piece of a tube between two rings that three vertices on it share, by its first ring;
+  /// kNoIndex if there is none.
+  std::uint32_t piece_of(VertexId a, VertexId b, VertexId c) const;
+
   // --- patches
   std::uint32_t patch_count() const { return static_cast<std::uint32_t>(patches_.size()); }
   const Patch& patch(PatchId p) const { return patches_[p.value]; }
@@ -90,11 +102,28 @@ class Intestines {
   /// The patch with these three of its corners; invalid if there is none.
   PatchId patch_with(VertexId a, VertexId b, VertexId c) const;
 
+  /// Calls f for the patches of tubes that have two of three vertices of one tube for corners.
+  template <class F>
+  void for_each_patch_beside(VertexId a, VertexId b, VertexId c, F f) const {
+    if (tube_at(a) == kNoIndex || tube_at(a) != tube_at(b) || tube_at(a) != tube_at(c)) return;
+    for (const VertexId p : {a, b}) {
+      if (p.value >= patches_at_.size()) continue;
+      for (const PatchId id : patches_at_[p.value]) {
+        const Patch& patch = patches_[id.value];
+        if (!patch.is_of_sphere() && patch.has(a) + patch.has(b) + patch.has(c) >= 2) f(id);
+      }
+    }
+  }
+
   // --- refinement; each makes patches die and others be born
   /// v is the vertex at `key` of a ring, the middle of one of its arcs.
   void split_arc(const Delaunay3& dt, std::uint32_t ring, RingKey key, VertexId v);
   /// Puts a ring behind another one; its vertices are inserted.
   std::uint32_t insert_ring(const Delaunay3& dt, std::uint32_t before, Ring ring);
+  /// v is the midpoint of a piece of a generator, or of a collar segment, of 6.3.
+  void split_generator(VertexId a, VertexId b, VertexId v);
+  /// v is the circumcenter of a patch of a tube, of 6.3.
+  void split_patch(PatchId p, VertexId v);
   /// v was inserted, on the sphere about an input vertex.
   void split_sphere(const Delaunay3& dt, std::uint32_t center, VertexId v);
   /// What died, and was born, since this was asked last. A patch that died and was born again in
@@ -115,6 +144,10 @@ class Intestines {
   };
   struct On {
     std::uint32_t sphere = kNoIndex, tube = kNoIndex, ring = kNoIndex;
+    // Of 6.3, of a vertex between rings: the ring before it, its base direction and the part of the
+    // angle to the next one, the part of the way to the next ring.
+    std::uint32_t piece = kNoIndex, gap = 0;
+    double part = 0, t = 0;
   };
   using Corners = std::array<VertexId, 4>;
 
@@ -125,6 +158,9 @@ class Intestines {
   void add_between(const Ring& a, const Ring& b, RingKey low, RingKey high,
                    std::vector<Corners>* list) const;
   static VertexId at_wrapped(const Ring& ring, RingKey key, RingKey turn);
+  void develop(std::uint32_t ring, std::uint32_t gap);
+  void create_in_cell(std::uint32_t ring, std::uint32_t gap, TriangleId t);
+  void insert_in_cell(std::uint32_t ring, std::uint32_t gap, VertexId v);
   void create_of_sphere(const Sphere& s, CellSlot c);
 
   bool structured_;
@@ -137,6 +173,7 @@ class Intestines {
   std::vector<Patch> patches_;
   std::vector<std::vector<PatchId>> patches_at_;          // by vertex
   std::vector<std::vector<std::vector<PatchId>>> cells_;  // by ring and gap
+  std::vector<std::vector<TubeCell>> developed_;          // of 6.3, by ring and gap
   std::vector<PatchId> born_, died_;
   bool made_ = false;
 };

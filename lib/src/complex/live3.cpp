@@ -222,6 +222,7 @@ std::array<SubsegmentId, 2> Live3::split(SubsegmentId s, VertexId m) {
   first.center = second.center = old.center;
   first.face = second.face = old.face;
   first.ring = second.ring = old.ring;
+  first.is_generator = second.is_generator = old.is_generator;
   for (const VertexId end : {old.a, old.b}) {
     auto& at = incident_[end.value];
     at.erase(std::find(at.begin(), at.end(), s));

@@ -156,6 +156,8 @@ class Live3 {
   Intestines& intestine() { return *intestine_; }
   const Intestines& intestine() const { return *intestine_; }
   SubsegmentId create_ring_arc(VertexId a, VertexId b, std::uint32_t ring);
+  /// From a ring to the next one, along a base direction in no face: Algorithm 6.3 alone has such.
+  SubsegmentId create_generator(VertexId a, VertexId b, std::uint32_t ring);
   /// Whether it is on a protected segment, or a protected input vertex: inside, no Delaunay
   /// simplex at it is refined.
   bool is_in_intestine(VertexId v) const;

@@ -39,6 +39,12 @@ SubsegmentId Live3::create_ring_arc(VertexId a, VertexId b, std::uint32_t ring) 
   return s;
 }
 
+SubsegmentId Live3::create_generator(VertexId a, VertexId b, std::uint32_t ring) {
+  const SubsegmentId s = create_ring_arc(a, b, ring);
+  subsegments_[s.value].is_generator = true;
+  return s;
+}
+
 bool Live3::is_in_intestine(VertexId v) const {
   const Feature& f = feature(v);
   return f.kind == FeatureKind::kSegment  ? is_protected(SegmentId(f.index))
@@ -53,7 +59,7 @@ void Live3::tag_edges(SubsegmentId s) {
     const HalfEdge h = dt.find_edge(local(u.a, f), local(u.b, f));
     if (h != kNone) dt.set_tag(h, s.value);
   };
-  if (u.is_ring_arc()) return;
+  if (u.is_of_tube()) return;
   if (u.is_collar_element()) return tag(u.face);
   for (const std::uint32_t f : incidence_.faces_of_segment(u.segment.value)) tag(f);
 }

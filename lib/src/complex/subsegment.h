@@ -24,7 +24,10 @@ struct Subsegment {
   /// In space, of an arc of a ring (thesis, 6.3.1): its number in the intestine. It lies on no
   /// input segment and in no face.
   std::uint32_t ring = kNoIndex;
-  bool is_ring_arc() const { return ring != kNoIndex; }
+  /// In space, of a piece of a tube's generator that lies in no face: the ring before it.
+  bool is_generator = false;
+  bool is_ring_arc() const { return ring != kNoIndex && !is_generator; }
+  bool is_of_tube() const { return ring != kNoIndex; }
   bool is_collar_element() const { return face != kNoIndex; }
   bool is_arc() const { return center.valid(); }
 };

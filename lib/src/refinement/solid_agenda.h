@@ -236,6 +236,8 @@ class SolidAgenda {
         intestine.split_arc(dt, u.ring, intestine.middle_key(u.ring, u.a, u.b), v);
       } else if (u.is_arc()) {
         intestine.split_sphere(dt, u.center.value, v);
+      } else if (!intestine.structured() && (u.is_collar_element() || u.is_generator)) {
+        intestine.split_generator(u.a, u.b, v);
       } else if (u.is_collar_element()) {
         RingKey key = 0;
         const std::uint32_t before = intestine.ring_before(u.a, u.b, &key);
@@ -245,6 +247,8 @@ class SolidAgenda {
       const Patch patch = intestine.patch(s);
       if (patch.is_of_sphere()) {
         intestine.split_sphere(dt, patch.sphere, v);
+      } else if (!intestine.structured()) {
+        intestine.split_patch(s, v);
       } else {
         const Ring& before = intestine.ring(patch.ring);
         split_generator(w, view, rules, patch.ring, before.vertices[0].key, v, ask);
@@ -260,7 +264,7 @@ class SolidAgenda {
   static SubsegmentId generator_of(const Live3& live, PatchId id) {
     const Intestines& intestine = live.intestine();
     const Patch& patch = intestine.patch(id);
-    if (patch.is_of_sphere()) return SubsegmentId();
+    if (patch.is_of_sphere() || !intestine.structured()) return SubsegmentId();
     const Ring& ring = intestine.ring(patch.ring);
     const VertexId beyond = intestine.ring(ring.next).at(ring.vertices[0].key);
     return beyond.valid() ? live.subsegment_between(ring.vertices[0].vertex, beyond)
@@ -396,7 +400,7 @@ class SolidAgenda {
   static Feature feature_of(const Live3& live, SubsegmentId s, const Proposal3&) {
     const Subsegment& u = live.subsegment(s);
     if (u.is_collar_element()) return {FeatureKind::kFace, u.face};
-    if (u.is_ring_arc()) return {FeatureKind::kFree, kNoIndex};
+    if (u.is_of_tube()) return {FeatureKind::kFree, kNoIndex};
     return {FeatureKind::kSegment, u.segment.value};
   }
   static Feature feature_of(const Live3&, const FaceTriangle& t, const Proposal3&) {
@@ -406,7 +410,9 @@ class SolidAgenda {
   /// Rings begin in the first base direction.
   static Feature feature_of(const Live3& live, PatchId id, const Proposal3&) {
     const Patch& patch = live.intestine().patch(id);
-    if (patch.is_of_sphere()) return {FeatureKind::kFree, kNoIndex};
+    if (patch.is_of_sphere() || !live.intestine().structured()) {
+      return {FeatureKind::kFree, kNoIndex};
+    }
     const Ring& ring = live.intestine().ring(patch.ring);
     const RingKey key = ring.vertices[0].key;
     const std::uint32_t face = live.intestine().tube_of(ring).bases[key / kRingGap].face;

@@ -31,7 +31,7 @@ bool SolidView::is_in_face(const FaceTriangle& t) const {
 
 bool SolidView::ready(const Point3& p, SubsegmentId s) {
   const Subsegment& u = live_.subsegment(s);
-  if (u.is_ring_arc()) return probe(p, u.a);
+  if (u.is_of_tube()) return probe(p, u.a);
   if (!u.is_collar_element()) return View3::ready(p, s);
   if (live_.has_intestine() && live_.intestine().structured() && !u.is_arc()) {
     return ready_for_ring(u.a, u.b, p);
@@ -109,7 +109,7 @@ bool SolidView::is_missing(SubsegmentId s) const {
     return dt.find_edge(live_.local(u.a, u.face), live_.local(u.b, u.face)) == kNone;
   }
   if (!dt_.has_edge(u.a, u.b)) return true;
-  if (u.is_ring_arc()) return false;
+  if (u.is_of_tube()) return false;
   for (const std::uint32_t f : live_.incidence().faces_of_segment(u.segment.value)) {
     const Delaunay2& dt = live_.face(f).triangulation();
     if (dt.find_edge(live_.local(u.a, f), live_.local(u.b, f)) == kNone) return true;

@@ -185,6 +185,11 @@ class SolidView : public View3 {
   /// Finds the ring arcs that a patch of a tube has for sides, if one is longer than 1.2 times the
   /// patch along its tube: rings alone would run away. False if there is none.
   bool propose_arcs(PatchId p);
+  /// Finds the elements of dimension 1 among the sides of a patch; false if there are none.
+  bool propose_sides(PatchId p);
+  /// Of a patch of a tube: its circumcenter in the developed surface, mapped back (6.3). `inside`:
+  /// whether it is within its cell.
+  Point3 projected_circumcenter(PatchId p, bool* inside) const;
   /// Of a patch of a tube: where the ring that splits it is at the key of its first corner.
   Point3 place_on_new_ring(PatchId p) const;
   /// Looks at a point on the surface of p: whether it encroaches upon subsegments, collar elements
@@ -211,7 +216,9 @@ class SolidView : public View3 {
       }
     }
   }
-  /// Calls f for each patch that is, or has, a facet of a cell with these vertices; some twice.
+  /// Calls f for each patch that is, or has, a facet of a cell with these vertices; some twice. Of
+  /// 6.3, where a facet on a tube is no patch, for all patches with two of its corners: those in
+  /// its place, where corners are nearly cocircular, are among them.
   template <class F>
   void for_each_patch(const VertexId* v, F f) const {
     if (!live_.has_intestine()) return;
@@ -221,7 +228,11 @@ class SolidView : public View3 {
       if (a == Delaunay3::kGhost || b == Delaunay3::kGhost || c == Delaunay3::kGhost) continue;
       if (!intestine.is_on_surface(a)) continue;
       const PatchId p = intestine.patch_with(a, b, c);
-      if (p.valid()) f(p);
+      if (p.valid()) {
+        f(p);
+      } else if (!intestine.structured()) {
+        intestine.for_each_patch_beside(a, b, c, f);
+      }
     }
   }
   /// Begins a round of for_each_face_triangle over cells.
@@ -273,7 +284,7 @@ class SolidView : public View3 {
   bool segment_ball_holds(SubsegmentId s, const Point3& p) const {
     const Subsegment& u = live_.subsegment(s);
     const Point3 &a = dt_.point(u.a), &b = dt_.point(u.b);
-    if (u.is_collar_element() || u.is_ring_arc())
+    if (u.is_collar_element() || u.is_of_tube())
       return in_diametral_ball_of_chord(a, b, p, live_.rounding());
     return in_diametral_ball(a, b, p) == Sign::kPositive;
   }

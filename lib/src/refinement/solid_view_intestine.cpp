@@ -46,7 +46,7 @@ bool SolidView::ready_for_ring(VertexId a, VertexId b, const Point3& p) {
 
 bool SolidView::ready(const Point3& p, PatchId id) {
   const Patch& patch = live_.intestine().patch(id);
-  if (patch.is_of_sphere()) return true;  // looked at by the action
+  if (patch.is_of_sphere() || !live_.intestine().structured()) return true;  // by the action
   const Ring& ring = live_.intestine().ring(patch.ring);
   const RingKey key = live_.intestine().ring(patch.ring).vertices[0].key;
   const VertexId a = ring.vertices[0].vertex, b = live_.intestine().ring(ring.next).at(key);
@@ -115,6 +115,32 @@ bool SolidView::propose_arcs(PatchId id) {
     if (!live_.subsegment(s).frozen) segments_.push_back(s);
   }
   return longest2 > kLongChord * kLongChord * spacing2 && !segments_.empty();
+}
+
+bool SolidView::propose_sides(PatchId id) {
+  segments_.clear();
+  triangles_.clear();
+  patches_.clear();
+  const Patch& patch = live_.intestine().patch(id);
+  for (unsigned i = 0; i < 3; ++i) {
+    const SubsegmentId s = live_.subsegment_between(patch.v[i], patch.v[(i + 1) % 3]);
+    if (s.valid() && !live_.subsegment(s).frozen) segments_.push_back(s);
+  }
+  return !segments_.empty();
+}
+
+Point3 SolidView::projected_circumcenter(PatchId id, bool* inside) const {
+  const Intestines& intestine = live_.intestine();
+  const Patch& patch = intestine.patch(id);
+  const TubeCell& cell = intestine.cell(patch.ring, patch.gap);
+  Point2 p[3];
+  for (unsigned i = 0; i < 3; ++i) {
+    const Point2 at = intestine.place_in_cell(patch.v[i], patch.ring, patch.gap);
+    p[i] = cell.developed(at.x, at.y);
+  }
+  const Point2 at = cell.undeveloped(circumcenter_extended(p[0], p[1], p[2]));
+  *inside = at.x > 0 && at.x < 1 && at.y > 0 && at.y < 1;
+  return cell.place(at.x, at.y);
 }
 
 Point3 SolidView::place_on_new_ring(PatchId id) const {
