@@ -1,9 +1,12 @@
 #include "complex/export3.h"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <vector>
 
 #include "complex/carried.h"
+#include "complex/matching_region.h"
 #include "complex/solid_domain.h"
 #include "delaunay/constructions.h"
 
@@ -38,12 +41,13 @@ void export_common_facets(const Live3& live, Mesh* mesh) {
   }
 }
 
-/// All facets that lie in faces, of cells of the domain.
-void export_facets(const Live3& live, Mesh* mesh) {
+/// All facets that lie in faces, of cells of the domain. `region`: what takes the place of some, or
+/// null.
+void export_facets(const Live3& live, const MatchingRegion* region, Mesh* mesh) {
   const Delaunay3& dt = live.triangulation();
   const FaceFacets facets(live);
   dt.for_each_cell([&](CellSlot c) {
-    if (!live.is_in_domain(c)) return;
+    if (!live.is_in_domain(c) || (region && region->replaced[c])) return;
     for (std::uint32_t i = 0; i < 4; ++i) {
       const CellFacet f = 4 * c + i, twin = dt.twin(f);
       if (facets.face(f) == kNone || (twin < f && live.is_in_domain(twin / 4))) continue;
@@ -56,6 +60,16 @@ void export_facets(const Live3& live, Mesh* mesh) {
       mesh->facets.push_back({a.value, b.value, v.value, facets.face(f)});
     }
   });
+  if (region) {
+    for (const MatchingRegion::Facet& f : region->facets) {
+      const FacePlane& plane = live.face(f.face).plane();
+      const Point2 p = plane.to_plane(dt.point(f.v[0])), q = plane.to_plane(dt.point(f.v[1])),
+                   r = plane.to_plane(dt.point(f.v[2]));
+      const bool left = shape_of(p, q, r).area4 > 0;
+      mesh->facets.push_back(
+          {f.v[0].value, f.v[left ? 1 : 2].value, f.v[left ? 2 : 1].value, f.face});
+    }
+  }
   std::sort(mesh->facets.begin(), mesh->facets.end(), [](const MeshFacet& f, const MeshFacet& g) {
     const auto key = [](const MeshFacet& h) { return std::array{h.face, h.a, h.b, h.c}; };
     return key(f) < key(g);
@@ -79,18 +93,32 @@ Mesh export_mesh(Live3* live, std::uint32_t input_vertices) {
     mesh.vertex_features.push_back(live->feature(VertexId(i)));
   }
   const bool regions = live->classified() && !complex.regions.empty();
+  const auto add_region = [&](std::uint32_t label) {
+    if (!regions) return;
+    mesh.cell_regions.push_back(label >= kFirstRegion ? complex.regions[label - kFirstRegion].label
+                                                      : 0);
+  };
+  std::optional<MatchingRegion> region;
+  if (live->classified() && live->has_intestine() && !live->intestine().structured()) {
+    region.emplace(*live);
+    if (!region->matches) region.reset();
+  }
   if (dt.dimension() == 3) {
     dt.for_each_cell([&](CellSlot c) {
-      if (!live->is_in_domain(c)) return;
+      if (!live->is_in_domain(c) || (region && region->replaced[c])) return;
       for (std::uint32_t i = 0; i < 4; ++i) mesh.cells.push_back(dt.corner(c, i).value);
-      if (!regions) return;
-      const std::uint32_t label = dt.label(c);
-      mesh.cell_regions.push_back(
-          label >= kFirstRegion ? complex.regions[label - kFirstRegion].label : 0);
+      add_region(dt.label(c));
     });
   }
+  if (region) {
+    for (const MatchingRegion::Cell& cell : region->cells) {
+      if (cell.label == kOutside) continue;
+      for (const VertexId v : cell.v) mesh.cells.push_back(v.value);
+      add_region(cell.label);
+    }
+  }
   if (live->classified()) {
-    export_facets(*live, &mesh);
+    export_facets(*live, region ? &*region : nullptr, &mesh);
   } else {
     export_common_facets(*live, &mesh);
   }
@@ -99,7 +127,10 @@ Mesh export_mesh(Live3* live, std::uint32_t input_vertices) {
   for (std::uint32_t i = 0; i < live->subsegment_count(); ++i) {
     const Subsegment& u = live->subsegment(SubsegmentId(i));
     if (!u.alive || u.is_of_tube()) continue;
-    if (live->classified() && !edge_is_in_domain(*live, u.a, u.b, &scratch)) continue;
+    const bool in_region =
+        region && std::binary_search(region->inside_edges.begin(), region->inside_edges.end(),
+                                     std::array{std::min(u.a, u.b), std::max(u.a, u.b)});
+    if (live->classified() && !in_region && !edge_is_in_domain(*live, u.a, u.b, &scratch)) continue;
     mesh.edges.push_back({u.a.value, u.b.value, u.segment.value});
     if (!segment_markers) continue;
     mesh.edge_markers.push_back(u.segment.valid() ? complex.segment_markers[u.segment.value] : 0);

@@ -161,6 +161,12 @@ class Live3 {
   /// Whether it is on a protected segment, or a protected input vertex: inside, no Delaunay
   /// simplex at it is refined.
   bool is_in_intestine(VertexId v) const;
+  /// Whether a cell belongs to the intestine: a corner of it is on a protected feature, or all four
+  /// are on one sphere, or all four on one tube with the centroid inside.
+  bool is_in_intestine(CellSlot c) const;
+  /// Whether it belongs to a tube: no corner is a protected input vertex, and not all four are on
+  /// one sphere.
+  bool is_in_tube(CellSlot c) const;
 
   // --- faces
   std::uint32_t face_count() const { return static_cast<std::uint32_t>(faces_.size()); }

@@ -52,6 +52,37 @@ bool Live3::is_in_intestine(VertexId v) const {
                                           : false;
 }
 
+bool Live3::is_in_intestine(CellSlot c) const {
+  VertexId v[4];
+  bool one_sphere = true, one_tube = true;
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    v[i] = triangulation_.corner(c, i);
+    if (is_in_intestine(v[i])) return true;
+    one_sphere &= intestine_->sphere_of(v[i]) != kNoIndex &&
+                  intestine_->sphere_of(v[i]) == intestine_->sphere_of(v[0]);
+    one_tube &= intestine_->tube_at(v[i]) != kNoIndex &&
+                intestine_->tube_at(v[i]) == intestine_->tube_at(v[0]);
+  }
+  if (one_sphere) return true;
+  if (!one_tube) return false;
+  const Point3 &p = triangulation_.point(v[0]), &q = triangulation_.point(v[1]),
+               &r = triangulation_.point(v[2]), &s = triangulation_.point(v[3]);
+  return intestine_->tube(intestine_->tube_at(v[0]))
+      .holds({0.25 * (p.x + q.x + r.x + s.x), 0.25 * (p.y + q.y + r.y + s.y),
+              0.25 * (p.z + q.z + r.z + s.z)});
+}
+
+bool Live3::is_in_tube(CellSlot c) const {
+  bool one_sphere = true;
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    const VertexId v = triangulation_.corner(c, i);
+    if (is_input_vertex(v) && is_protected(v)) return false;
+    one_sphere &= intestine_->sphere_of(v) != kNoIndex &&
+                  intestine_->sphere_of(v) == intestine_->sphere_of(triangulation_.corner(c, 0));
+  }
+  return !one_sphere && is_in_intestine(c);
+}
+
 void Live3::tag_edges(SubsegmentId s) {
   const Subsegment& u = subsegments_[s.value];
   const auto tag = [&](std::uint32_t f) {

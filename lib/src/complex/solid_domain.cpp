@@ -115,7 +115,7 @@ class Classification {
       now.pop_back();
       for (std::uint32_t i = 0; i < 4; ++i) {
         const CellSlot d = dt_.twin(4 * c + i) / 4;
-        if (level[d] != kNone) continue;
+        if (level[d] != kNone || is_replaced(d)) continue;
         // A flat cell is part of the face: to enter it is free, to leave it is to cross the face.
         if (facets_.is_barrier(4 * c + i) && !facets_.is_flat(d)) {
           next.push_back(d);
@@ -152,6 +152,7 @@ class Classification {
       for (std::uint32_t i = 0; i < 4; ++i) {
         const CellSlot d = dt_.twin(4 * c + i) / 4;
         if (facets_.is_barrier(4 * c + i) || dt_.is_ghost(d) || dt_.label(d) != kInside) continue;
+        if (is_replaced(d)) continue;
         dt_.set_label(d, label);
         stack_.push_back(d);
       }
@@ -178,6 +179,12 @@ class Classification {
         dt_.set_label(c, label);
       }
     }
+  }
+
+  /// Cells in tubes of Algorithm 6.3 need not conform: floods go around them.
+  bool is_replaced(CellSlot c) const {
+    return live_.has_intestine() && !live_.intestine().structured() && !dt_.is_ghost(c) &&
+           live_.is_in_tube(c);
   }
 
   Live3& live_;

@@ -195,9 +195,7 @@ class SolidView : public View3 {
   /// Looks at a point on the surface of p: whether it encroaches upon subsegments, collar elements
   /// or ring arcs.
   Outlook3 look(const Point3& c, PatchId p);
-  /// Whether c belongs to the intestine: a corner of it is on a protected feature, or all four are
-  /// on one sphere, or all four on one tube with the centroid inside.
-  bool is_in_intestine(const CellRef& c) const;
+  bool is_in_intestine(const CellRef& c) const { return live_.is_in_intestine(c.slot); }
   /// Of what the point last looked at encroaches upon, leaves out what is inside of the intestine:
   /// subsegments of protected segments, triangles of collars. Where dimension 1 is left, only that
   /// stays. Returns whether something was left out.

@@ -161,27 +161,6 @@ Outlook3 SolidView::look(const Point3& c, PatchId id) {
   return segments_.empty() ? Outlook3::kFree : Outlook3::kEncroaches;
 }
 
-bool SolidView::is_in_intestine(const CellRef& c) const {
-  const Intestines& intestine = live_.intestine();
-  VertexId v[4];
-  bool one_sphere = true, one_tube = true;
-  for (std::uint32_t i = 0; i < 4; ++i) {
-    v[i] = dt_.corner(c.slot, i);
-    if (live_.is_in_intestine(v[i])) return true;
-    one_sphere &= intestine.sphere_of(v[i]) != kNoIndex &&
-                  intestine.sphere_of(v[i]) == intestine.sphere_of(v[0]);
-    one_tube &=
-        intestine.tube_at(v[i]) != kNoIndex && intestine.tube_at(v[i]) == intestine.tube_at(v[0]);
-  }
-  if (one_sphere) return true;
-  if (!one_tube) return false;
-  const Point3 &p = dt_.point(v[0]), &q = dt_.point(v[1]), &r = dt_.point(v[2]),
-               &s = dt_.point(v[3]);
-  return intestine.tube(intestine.tube_at(v[0]))
-      .holds({0.25 * (p.x + q.x + r.x + s.x), 0.25 * (p.y + q.y + r.y + s.y),
-              0.25 * (p.z + q.z + r.z + s.z)});
-}
-
 bool SolidView::leave_out_intestine() {
   const std::size_t before = segments_.size() + triangles_.size();
   segments_.erase(std::remove_if(segments_.begin(), segments_.end(),
