@@ -188,6 +188,7 @@ std::vector<AlgorithmInfo> algorithms_in_space() {
       "most $\\tau$ (Theorem 6.15). Inside of the tubes the Delaunay tetrahedralization need not "
       "conform: one that does and matches takes its place there, and the check says which of its "
       "cells are not Delaunay. That it always ends is Conjecture 6.16.";
+  intestine.checks[1] = "delaunay-outside";
   return {delaunay, feature_size, ruppert, collar, structured, intestine};
 }
 

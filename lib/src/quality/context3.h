@@ -98,6 +98,7 @@ Check check_volume(const VerifyContext3& context);
 Check check_collar(const VerifyContext3& context);
 Check check_protection(const VerifyContext3& context);
 Check check_intestine(const VerifyContext3& context);
+Check check_delaunay_outside(const VerifyContext3& context);
 Check check_segment_lower(const VerifyContext3& context);
 Check check_segment_upper(const VerifyContext3& context);
 template <class Context>

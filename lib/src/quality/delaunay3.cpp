@@ -8,6 +8,7 @@
 #include "feature_size/vectors.h"
 #include "quality/context3.h"
 #include "quality/convex_boundary.h"
+#include "quality/surfaces3.h"
 
 namespace circumball {
 namespace {
@@ -163,6 +164,49 @@ Check check_delaunay(const VerifyContext3& context) {
                    " between two cells, all locally Delaunay by exact insphere; " + scope;
   else if (violations > 1)
     check.detail += " (" + std::to_string(violations) + " violations in all)";
+  return check;
+}
+
+/// Theorem 6.15: outside of the tubes about segments the mesh is Delaunay. Inside, where another
+/// tetrahedralization takes its place, cells that are not are counted.
+Check check_delaunay_outside(const VerifyContext3& context) {
+  Check check;
+  check.name = "delaunay-outside";
+  check.bound = 0;
+  const Surfaces3 surfaces(context);
+  const BallSearch search(context);
+  std::size_t bad = 0, flat = 0, inside = 0, exceptions = 0, first = kNoIndex;
+  for (std::uint32_t i = 0; i < context.cells.size(); ++i) {
+    const auto& c = context.cells[i];
+    const bool in_tube = surfaces.holds_in_tube(c);
+    inside += in_tube;
+    flat += !context.positive[i];
+    if (!context.positive[i] || search.find(c) == kNoIndex) continue;
+    if (in_tube) {
+      if (exceptions++ == 0) first = i;
+    } else if (bad++ == 0) {
+      check.worst = {c[0], c[1], c[2], c[3]};
+    }
+  }
+  check.ok = bad + flat == 0;
+  check.observed = static_cast<double>(bad + flat);
+  if (flat > 0) {
+    check.detail = count_text(flat, "cell") + " inverted or flat";
+  } else if (bad > 0) {
+    check.detail = count_text(bad, "cell") +
+                   " outside of the tubes with a vertex in the circumball, the first is " +
+                   vertices_text(check.worst);
+  } else {
+    check.detail = "no vertex lies inside any circumsphere of the " +
+                   count_text(context.cells.size() - inside, "cell") + " outside of " +
+                   count_text(surfaces.tubes(), "tube") + "; of the " + count_text(inside, "cell") +
+                   " inside, " + std::to_string(exceptions) + " are not Delaunay";
+    if (exceptions > 0) {
+      const auto& c = context.cells[first];
+      check.detail += ", the first is cell " + std::to_string(context.cell_number[first]) + ": " +
+                      vertices_text({c[0], c[1], c[2], c[3]});
+    }
+  }
   return check;
 }
 

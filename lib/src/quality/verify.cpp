@@ -56,6 +56,7 @@ constexpr Entry<VerifyContext3> kChecks3[] = {
     {"collar", check_collar, asked_only, has_tau},
     {"protection", check_protection, asked_only, always},
     {"intestine", check_intestine, asked_only, has_tau},
+    {"delaunay-outside", check_delaunay_outside, asked_only, always},
     {"segment-lower", check_segment_lower, asked_only, always},
     {"segment-upper", check_segment_upper, asked_only, always},
 };
