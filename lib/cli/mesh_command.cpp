@@ -122,6 +122,8 @@ std::string summary(const Run& run, const Mesh& mesh) {
   }
   if (mesh.dimension == 3 && mesh.cell_count() > 0) text += "\n" + dihedral_table(run, mesh);
   if (!text.empty() && text.back() == '\n') text.pop_back();
+  if (!run.domain_known())
+    text += "\nthe domain is not known yet: the mesh is all of the convex hull, without regions";
   const std::size_t unresolved = run.unresolved().size();
   if (unresolved)
     text += fmt::format("\nunresolved: {}{}", unresolved, unresolved < 1000 ? "" : "+");

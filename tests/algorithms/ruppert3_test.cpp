@@ -212,6 +212,62 @@ TEST(RuppertInSpaceTest, StopsAtItsLimitsOnSharpComplexes) {
   EXPECT_GT(stopped, 10);
 }
 
+/// Wherever a run is stopped, the mesh is valid and Delaunay as far as it goes; once faces have
+/// kept inside and outside apart, nearly all of the domain is there and labelled, before all of the
+/// hull.
+TEST(RuppertInSpaceTest, AStoppedRunSaysWhetherTheDomainIsKnownAndLosesNothingOfIt) {
+  Random random(11);
+  const Rotation turn(&random);
+  SolidBuilder b({1, &turn, {0, 0, 0}});
+  b.box({0, 0, 0}, {3, 3, 3});
+  b.box({1, 1, 1}, {1.7, 2, 2.2});
+  b.box({3.5, 0, 0}, {4, 3, 3});
+  b.regions.push_back({b.placed({0.5, 0.5, 0.5}), 4, 0});
+  b.holes.push_back(b.placed({1.3, 1.5, 1.5}));
+  const double volume = 27 - 0.7 * 1.2 + 4.5, hull = 36;
+  int known = 0, unknown = 0;
+  for (std::uint64_t most = 24; most < 700; most += most / 4) {
+    Options options = ruppert(0.35);
+    options.limits.max_vertices = most;
+    const auto run = finish(b.complex(), options);
+    ASSERT_TRUE(run);
+    const Mesh mesh = run->mesh();
+    VerifyOptions asked;
+    asked.checks = {"topology", "input-vertices"};
+    for (const Check& c : verify(mesh, run->complex(), asked)) EXPECT_TRUE(c.ok) << c.detail;
+    if (!run->domain_known()) {
+      ++unknown;
+      EXPECT_EQ(run->status(), Status::kLimit);
+      EXPECT_FALSE(run->unresolved().empty());
+      EXPECT_NEAR(volume_of(mesh), hull, 1e-6) << most;
+      EXPECT_TRUE(mesh.cell_regions.empty()) << most;
+      continue;
+    }
+    ++known;
+    EXPECT_NEAR(volume_of(mesh), volume, run->status() == Status::kComplete ? 1e-9 : 1.5) << most;
+    double labelled = 0;
+    for (std::size_t i = 0; i < mesh.cell_count(); ++i)
+      labelled += mesh.cell_regions[i] == 4 ? volume_of(mesh, i) : 0;
+    EXPECT_NEAR(labelled, volume - 4.5, run->status() == Status::kComplete ? 1e-9 : 1.5) << most;
+  }
+  EXPECT_GT(known, 2);
+  EXPECT_GT(unknown, 2);
+}
+
+/// Where the shortest edge allowed leaves a face with a gap, nothing floods through it.
+TEST(RuppertInSpaceTest, AFaceThatWasRefusedLeaksNothing) {
+  SolidBuilder b({1, nullptr, {0, 0, 0}});
+  b.box({0, 0, 0}, {3, 3, 3});
+  b.box({0.01, 1, 1}, {2, 2, 2});  // a wall of a hundredth
+  Options options = ruppert(0);
+  options.limits.min_edge = 0.1;
+  const auto run = finish(b.complex(), options);
+  ASSERT_TRUE(run);
+  EXPECT_EQ(run->status(), Status::kLimit);
+  EXPECT_FALSE(run->domain_known());
+  EXPECT_NEAR(volume_of(run->mesh()), 27, 1e-9);
+}
+
 TEST(RuppertInSpaceTest, DomainClosedIsRefusedWhereFacesEncloseNothing) {
   SolidBuilder b({1, nullptr, {0, 0, 0}});
   b.builder().face(b.square(0, 1, 0));

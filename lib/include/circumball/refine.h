@@ -100,6 +100,9 @@ class Run {
   const Options& options() const;  ///< with every default filled in
   double tau() const;
   Domain domain() const;
+  /// False where a run in space was stopped, or something refused, before faces kept inside and
+  /// outside (or regions) apart: mesh() is all of the convex hull then, without regions.
+  bool domain_known() const;
   std::uint64_t peak_bytes() const;
 
  private:

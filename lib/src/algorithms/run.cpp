@@ -7,7 +7,7 @@
 #include "algorithms/settings.h"
 #include "complex/export2.h"
 #include "complex/export3.h"
-#include "complex/solid_domain.h"
+#include "refinement/solid_view.h"
 
 namespace circumball {
 namespace {
@@ -47,8 +47,15 @@ void settle_domain(Live2* live, Recorder* recorder) {
 }
 void settle_domain(Live3* live, Recorder3* recorder) {
   // Estimates of feature sizes leave the whole convex hull as it is; so does a run that was stopped
-  // before all faces were there, as nothing keeps inside and outside apart yet.
-  if (live->classified()) recorder->relabeled(classify(live));
+  // before all faces were there, as nothing keeps inside and outside apart yet. Where faces have
+  // gaps again as it was stopped later, labels stay as insertions inherited them.
+  if (live->classified()) recorder->relabeled(classify_if_conforming(live));
+}
+
+bool knows_domain(const Live2&) { return true; }
+bool knows_domain(const Live3& live) {
+  const bool trivial = live.domain() != Domain::kClosed && live.complex().regions.empty();
+  return trivial || live.classified();
 }
 
 /// With the box where the domain is one.
@@ -75,6 +82,7 @@ struct Run::Impl {
   virtual void settle() = 0;
   virtual void record_limit(Reason why) = 0;
   virtual Mesh mesh() = 0;
+  virtual bool domain_known() const = 0;
   virtual void unresolved(const std::string& stop, std::size_t max,
                           std::vector<Unresolved>* list) const = 0;
   virtual std::vector<Unresolved> slivers(const std::string& stop, std::size_t max) const = 0;
@@ -159,6 +167,7 @@ struct Run::ImplOf final : Impl {
   void settle() override { settle_domain(&live, &recorder); }
   void record_limit(Reason why) override { recorder.limit(why); }
   Mesh mesh() override { return export_mesh(&live, input_vertices); }
+  bool domain_known() const override { return knows_domain(live); }
 
   void unresolved(const std::string& stop, std::size_t max,
                   std::vector<Unresolved>* list) const override {
@@ -270,6 +279,7 @@ std::optional<SliverRemoval> Run::sliver_removal(std::size_t max) const {
 const Complex& Run::complex() const { return impl_->complex; }
 const Options& Run::options() const { return impl_->options; }
 double Run::tau() const { return impl_->settings.tau; }
+bool Run::domain_known() const { return impl_->domain_known(); }
 Domain Run::domain() const { return impl_->settings.domain; }
 std::uint64_t Run::peak_bytes() const { return impl_->peak_bytes; }
 

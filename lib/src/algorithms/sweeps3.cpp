@@ -43,7 +43,7 @@ class ClassifyCells final : public Stage3 {
  public:
   explicit ClassifyCells(std::string name) : Stage3(std::move(name), "Tell inside from outside") {}
   bool advance(Workspace3& w, Budget&) override {
-    w.recorder.relabeled(classify(&w.live));
+    w.recorder.relabeled(classify_if_conforming(&w.live));
     return true;
   }
 };

@@ -50,6 +50,10 @@ struct RelabeledCell {
 /// reach. A flat cell goes with the side that is farther out, so that none is left on the boundary
 /// of the domain. Returns the cells whose label changed, by slot. O(cells).
 ///
+/// Not to be called where faces have gaps (SolidView::conforms), through which floods would leak:
+/// labels are left as they are then, which is as insertions inherited them; or where there are none
+/// yet, everything is in the domain and of no region (Live3::classified).
+///
 /// Labels stay right while refinement goes on, as long as the faces are there: what an insertion
 /// makes inherits them (see Delaunay3::commit).
 std::vector<RelabeledCell> classify(Live3* live);

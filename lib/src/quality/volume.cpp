@@ -3,6 +3,7 @@
 
 #include "complex/planar_sweep.h"
 #include "quality/context3.h"
+#include "quality/enclosed_parts.h"
 #include "quality/tetrahedron_measure.h"
 
 namespace circumball {
@@ -20,6 +21,11 @@ double volume_of_box(const Complex& complex) {
     }
   }
   return (high[0] - low[0]) * (high[1] - low[1]) * (high[2] - low[2]);
+}
+
+bool is_valid(const Complex& complex) {
+  const std::vector<Defect> defects = check(complex);
+  return std::all_of(defects.begin(), defects.end(), [](const Defect& d) { return d.warning; });
 }
 
 }  // namespace
@@ -50,15 +56,25 @@ Check check_volume(const VerifyContext3& context) {
   }
   const bool box = context.options.domain == "box" && !context.complex.vertices.empty();
   const double volume = six_volume.high / 6;
-  const double expected = box ? volume_of_box(context.complex) : six_enclosed.high / 6;
-  const double tolerance = kAreaTolerance * std::max(std::fabs(expected), size / 6 * 1e-3);
+  double expected = box ? volume_of_box(context.complex) : six_enclosed.high / 6;
+  double tolerance = kAreaTolerance * std::max(std::fabs(expected), size / 6 * 1e-3);
+  std::string what =
+      box ? "the volume of the box, " : "the volume that the boundary of the mesh encloses, ";
+  if (context.closed() && is_valid(context.complex)) {
+    const EnclosedParts parts(context.complex);
+    if (parts.known()) {
+      expected = parts.volume();
+      // Vertices of sloping faces are rounded.
+      tolerance = kAreaTolerance * std::max(expected, size / 6 * 1e-3) +
+                  2 * parts.area() * context.rounding;
+      what = "the volume that the input's faces enclose, ";
+    }
+  }
   const double off =
       std::max(std::fabs(volume - expected), std::fabs((six_volume.high - six_enclosed.high) / 6));
   check.bound = expected;
   check.observed = volume;
   check.ok = off <= tolerance;
-  const std::string what =
-      box ? "the volume of the box, " : "the volume that the boundary of the mesh encloses, ";
   check.detail = check.ok ? "the cells add up to " + what + value_text(expected)
                           : "the cells have a volume of " + value_text(volume) + ", not " + what +
                                 value_text(expected) + ", off by " + value_text(off);

@@ -185,7 +185,7 @@ class SolidAgenda {
     Live3& live = w.live;
     if (insertions_ == looked_at_) return;
     looked_at_ = insertions_;
-    if (live.classified()) w.recorder.relabeled(classify(&live));
+    if (live.classified()) w.recorder.relabeled(classify_if_conforming(&live));
     for_each_simplex(live, rules, [&](const auto& s) {
       if (!is_frozen(live, s)) {
         if (const Verdict why = rules.unacceptable(view, s)) queue(s, why);

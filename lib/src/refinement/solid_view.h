@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "complex/solid_domain.h"
 #include "delaunay/tetrahedron_shape.h"
 #include "refinement/view3.h"
 
@@ -110,6 +111,11 @@ class SolidView : public View3 {
   bool leave_out_protected();
   /// Looks at the circumcenter c of t: whether it encroaches upon segments.
   Outlook3 look(const Point3& c, const FaceTriangle& t);
+
+  // --- the whole
+  /// Whether every subsegment is an edge, and nothing crosses a face: whatever keeps inside and
+  /// outside apart is there. O(triangles of faces).
+  bool conforms() const;
 
   // --- tetrahedra
   TetrahedronShape shape(const CellRef& c) const {
@@ -325,6 +331,10 @@ class SolidView : public View3 {
   enum class HullSide : std::uint8_t { kUnknown, kNone, kAbove, kBelow };
   mutable std::vector<HullSide> hull_sides_;
 };
+
+/// Tells which cells belong to the domain and its regions (solid_domain.h), where nothing leaks;
+/// else labels stay as they are.
+std::vector<RelabeledCell> classify_if_conforming(Live3* live);
 
 inline Proposal3 yield3(const Point3& at) { return {ProposalKind::kYield, Reason::kYieldedTo, at}; }
 inline Proposal3 refuse(const Point3& at, Reason why) { return {ProposalKind::kRefuse, why, at}; }

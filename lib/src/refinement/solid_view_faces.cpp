@@ -184,4 +184,29 @@ bool SolidView::crosses(const FaceTriangle& t, VertexId p, VertexId q) const {
   return true;
 }
 
+bool SolidView::conforms() const {
+  for (std::uint32_t i = 0; i < live_.subsegment_count(); ++i) {
+    const Subsegment& u = live_.subsegment(SubsegmentId(i));
+    if (u.alive && !u.is_collar_element() && is_missing(SubsegmentId(i))) return false;
+  }
+  for (std::uint32_t f = 0; f < live_.face_count(); ++f) {
+    const Delaunay2& dt = live_.face(f).triangulation();
+    bool whole = true;
+    dt.for_each_triangle([&](TriangleId id) {
+      const FaceTriangle t{f, id, dt.triangle(id).birth};
+      if (!whole || !is_in_face(t)) return;
+      const auto v = corners(t);
+      whole = dt_.find_facet(v[0], v[1], v[2]) != kNone || !encroachment_of_missing(t);
+    });
+    if (!whole) return false;
+  }
+  return true;
+}
+
+std::vector<RelabeledCell> classify_if_conforming(Live3* live) {
+  const bool may_leak = live->domain() == Domain::kClosed || !live->complex().regions.empty();
+  if (may_leak && !SolidView(*live, false).conforms()) return {};
+  return classify(live);
+}
+
 }  // namespace circumball

@@ -164,6 +164,7 @@ std::string report_json(const Run& run, const Complex& input, const Mesh& mesh,
                      {"smallest_angle_degrees", smallest_angle_degrees(input)}};
   report["status"] = name(run.status());
   if (run.status() == Status::kLimit) report["limit"] = limit_name(run);
+  if (!run.domain_known()) report["domain_known"] = false;
   Json& steps = report["steps"] = Json::array();
   for (const StepReport& step : run.steps()) {
     steps.push_back({{"name", step.name},
