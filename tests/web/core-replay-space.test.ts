@@ -75,7 +75,7 @@ describe.each(spatial.map((e) => [e.id, e] as const))('%s', (_, example) => {
       if (seen.has(kind)) continue;
       seen.add(kind);
       const moment = momentAt(replay, p) as Moment3;
-      expect(moment.sentence).toMatch(/^[A-Z“].*\.$/);
+      expect(moment.sentence).toMatch(/^[A-Z0-9“].*\.$/);
       expect(moment.sentence).not.toMatch(/undefined|NaN|4294967295/);
       // A moment that names a near witness draws the ball that it lies in.
       if (moment.near !== null) expect(moment.ball).not.toBeNull();

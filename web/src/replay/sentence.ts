@@ -83,7 +83,7 @@ function protection(e: TraceEvent, protecting: ProtectingLives | null): string {
   }
   const kinds = Array.from(changed.born, (n) => protecting.element(n).kind);
   if (dead === 0 && kinds.every((k) => k === Protecting.subsegment))
-    return `${plural(born, 'subsegment is', 'subsegments are')} short enough, and protected: never split from now on.`;
+    return `Short enough now, ${plural(born, 'subsegment is', 'subsegments are')} protected: never split from now on.`;
   return `What protects the input changes: ${plural(dead, 'element', 'elements')} became ${formatCount(born)}.`;
 }
 
