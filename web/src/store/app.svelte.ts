@@ -163,9 +163,14 @@ export class App {
   /** Puts another input in place of this one, and refines it if `options` are given. */
   open(input: Input, title: string, options?: RunOptions): void {
     this.discardRun();
+    const fromPlane = !this.inSpace;
     this.doc.open(input, texts.open.opened(title));
     this.doc.title = title;
-    if (options) this.first.parameters.adopt(options);
+    const { parameters } = this.first;
+    if (options) parameters.adopt(options);
+    // Ruppert's algorithm alone need not end: the core's default in space protects what is acute.
+    else if (fromPlane && this.inSpace && parameters.algorithm === 'ruppert')
+      parameters.adopt({ algorithm: 'collar' });
     this.settleDimension();
     this.pendingView = null;
     this.pendingSpaceView = null;
@@ -182,7 +187,7 @@ export class App {
 
   /** Each dimension has algorithms of its own, and no others; in space nothing is drawn or measured. */
   private settleDimension(): void {
-    const first = this.algorithms.find((a) => a.id === 'feature-size') ?? this.algorithms[0];
+    const first = this.algorithms.find((a) => a.id === 'collar') ?? this.algorithms[0];
     for (const { parameters } of this.panes) {
       if (first && !this.algorithms.some((a) => a.id === parameters.algorithm))
         parameters.adopt({ algorithm: first.id });
