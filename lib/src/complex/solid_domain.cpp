@@ -130,6 +130,19 @@ class Classification {
       const bool inside = level[c] != kNone && (parity ? level[c] % 2 == 1 : level[c] >= 1);
       dt_.set_label(c, inside ? kInside : kOutside);
     });
+    // Cells that floods go around go with those beside them, so that what inherits from them is
+    // hardly ever wrong.
+    std::vector<CellSlot> beside;
+    dt_.for_each_cell([&](CellSlot c) {
+      if (level[c] != kNone || !is_replaced(c)) return;
+      for (std::uint32_t i = 0; i < 4; ++i) {
+        const CellSlot d = dt_.twin(4 * c + i) / 4;
+        if (level[d] == kNone || dt_.is_ghost(d) || dt_.label(d) != kInside) continue;
+        beside.push_back(c);
+        return;
+      }
+    });
+    for (const CellSlot c : beside) dt_.set_label(c, kInside);
   }
 
   void flood(const Point3& seed, std::uint32_t label) {
