@@ -147,7 +147,7 @@ bool SolidView::is_flat(const CellRef& c, const TetrahedronShape& shape) const {
 // --- points that are not inserted yet
 
 FaceTriangle SolidView::triangle_in_the_way() const {
-  if (!segments_.empty() || triangles_.empty()) return {};
+  if (!segments_.empty() || !patches_.empty() || triangles_.empty()) return {};
   const bool free = std::none_of(triangles_.begin(), triangles_.end(),
                                  [&](const FaceTriangle& t) { return is_in_collar(t); });
   return free ? triangles_[0] : FaceTriangle();
@@ -156,12 +156,14 @@ FaceTriangle SolidView::triangle_in_the_way() const {
 Outlook3 SolidView::look_in_face(const Point3& p, const FaceTriangle& t) {
   segments_.clear();
   triangles_.clear();
+  patches_.clear();
   FaceRefinement& face = live_.face(t.face);
   if (!probe(p, corners(t)[0]) || !face.probe(p, t.id)) return Outlook3::kCoincides;
   find_encroached_segments(p);
   find_encroached_triangles(p);
+  if (live_.has_intestine()) find_encroached_patches(p);
   const bool encroaches =
-      !segments_.empty() ||
+      !segments_.empty() || !patches_.empty() ||
       std::any_of(triangles_.begin(), triangles_.end(),
                   [&](const FaceTriangle& u) { return u.face != t.face || is_in_collar(u); });
   if (encroaches) return Outlook3::kEncroaches;
@@ -198,11 +200,11 @@ Outlook3 SolidView::outside_or_free() const {
 /// A subsegment whose ball holds p is an edge of a cell of the cavity: it is an edge, and some cell
 /// around it dies. The same for triangles of faces.
 void SolidView::find_encroached_segments(const Point3& p) {
+  segments_met_.begin();
   for (const CellSlot c : dt_.cavity()) {
     const Delaunay3::Cell cell = dt_.cell(c);
     for_each_subsegment(cell.v, [&](SubsegmentId s) {
-      if (std::find(segments_.begin(), segments_.end(), s) != segments_.end()) return;
-      if (segment_ball_holds(s, p)) segments_.push_back(s);
+      if (segments_met_.meet(0, s.value) && segment_ball_holds(s, p)) segments_.push_back(s);
     });
   }
 }
@@ -212,8 +214,6 @@ void SolidView::find_encroached_triangles(const Point3& p) {
   for (const CellSlot c : dt_.cavity()) {
     const Delaunay3::Cell cell = dt_.cell(c);
     for_each_face_triangle(cell.v, [&](const FaceTriangle& t) {
-      const auto same = [&](const FaceTriangle& u) { return u.face == t.face && u.id == t.id; };
-      if (std::any_of(triangles_.begin(), triangles_.end(), same)) return;
       if (ball(t).holds(p) && is_in_face(t)) triangles_.push_back(t);
     });
   }

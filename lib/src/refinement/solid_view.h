@@ -7,6 +7,7 @@
 
 #include "complex/solid_domain.h"
 #include "delaunay/tetrahedron_shape.h"
+#include "refinement/round_marks.h"
 #include "refinement/view3.h"
 
 namespace circumball {
@@ -240,10 +241,13 @@ class SolidView : public View3 {
     }
   }
   /// Begins a round of for_each_face_triangle over cells.
-  void begin_face_triangles() const { corners_.clear(); }
+  void begin_face_triangles() const {
+    corners_met_.begin();
+    triangles_met_.begin();
+  }
   /// Calls f for each triangle of a face that is a facet of a cell with these vertices. Where a
   /// facet lies in a face, but is no triangle of it, for all triangles at its corners: some of them
-  /// are in its place; for each corner once in a round. Some triangles come twice.
+  /// are in its place. Each triangle comes once in a round.
   template <class F>
   void for_each_face_triangle(const VertexId* v, F f) const {
     for (unsigned i = 0; i < 4; ++i) {
@@ -253,13 +257,13 @@ class SolidView : public View3 {
         if (!live_.lies_in_face(b, face) || !live_.lies_in_face(c, face)) continue;
         const FaceTriangle t = live_.face_triangle(face, a, b, c);
         if (t.face != kNone) {
-          f(t);
+          if (triangles_met_.meet(t.face, t.id)) f(t);
         } else {
           for (const VertexId corner : {a, b, c}) {
-            const std::uint64_t key = std::uint64_t{face} << 32 | corner.value;
-            if (std::find(corners_.begin(), corners_.end(), key) != corners_.end()) continue;
-            corners_.push_back(key);
-            for_each_around(corner, face, f);
+            if (!corners_met_.meet(face, live_.local(corner, face).value)) continue;
+            for_each_around(corner, face, [&](const FaceTriangle& u) {
+              if (triangles_met_.meet(u.face, u.id)) f(u);
+            });
           }
         }
       }
@@ -319,8 +323,9 @@ class SolidView : public View3 {
   std::vector<SubsegmentId> segments_;
   std::vector<FaceTriangle> triangles_;
   std::vector<PatchId> patches_;
-  mutable std::vector<CellSlot> flat_;          // scratch
-  mutable std::vector<std::uint64_t> corners_;  // of faces, that a round has been at
+  mutable std::vector<CellSlot> flat_;  // scratch
+  // By face: corners, and slots of triangles; row 0: subsegments.
+  mutable RoundMarks corners_met_, triangles_met_, segments_met_;
   // By face and slot of a triangle: its birth, and whether it lies in the face.
   struct Known {
     std::uint32_t birth = kNone;
