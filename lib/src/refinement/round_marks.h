@@ -12,7 +12,10 @@ namespace circumball {
 class RoundMarks {
  public:
   void begin() { ++round_; }
-  /// Whether the member was not met in this round yet.
+  bool met(std::uint32_t row, std::uint32_t member) const {
+    return row < marks_.size() && member < marks_[row].size() && marks_[row][member] == round_;
+  }
+  /// Whether the member was not met in this round yet; from now on it is.
   bool meet(std::uint32_t row, std::uint32_t member) {
     if (marks_.size() <= row) marks_.resize(row + std::size_t{row} / 2 + 1);
     auto& marks = marks_[row];

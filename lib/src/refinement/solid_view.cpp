@@ -211,11 +211,23 @@ void SolidView::find_encroached_segments(const Point3& p) {
 
 void SolidView::find_encroached_triangles(const Point3& p) {
   begin_face_triangles();
+  const auto look_at = [&](const FaceTriangle& t) {
+    if (ball(t).holds(p) && is_in_face(t)) triangles_.push_back(t);
+  };
+  constexpr std::size_t kLarge = 64;
+  if (dt_.cavity().size() < kLarge) {
+    for (const CellSlot c : dt_.cavity()) for_each_face_triangle(dt_.cell(c).v, look_at);
+    return;
+  }
+  // Each facet once: it is worth the marks.
+  cells_met_.begin();
   for (const CellSlot c : dt_.cavity()) {
-    const Delaunay3::Cell cell = dt_.cell(c);
-    for_each_face_triangle(cell.v, [&](const FaceTriangle& t) {
-      if (ball(t).holds(p) && is_in_face(t)) triangles_.push_back(t);
-    });
+    const auto met = [&](unsigned i) {
+      const CellSlot beyond = dt_.twin(4 * c + i) / 4;
+      return cells_met_.met(0, beyond);
+    };
+    for_each_face_triangle(dt_.cell(c).v, met, look_at);
+    cells_met_.meet(0, c);
   }
 }
 

@@ -250,11 +250,24 @@ class SolidView : public View3 {
   /// are in its place. Each triangle comes once in a round.
   template <class F>
   void for_each_face_triangle(const VertexId* v, F f) const {
+    for_each_face_triangle(
+        v, [](unsigned) { return false; }, f);
+  }
+  /// The same but for facets i with skip(i).
+  template <class Skip, class F>
+  void for_each_face_triangle(const VertexId* v, Skip skip, F f) const {
     for (unsigned i = 0; i < 4; ++i) {
+      if (skip(i)) continue;
       const VertexId a = v[(i + 1) % 4], b = v[(i + 2) % 4], c = v[(i + 3) % 4];
       if (!can_lie_in_face(a) || !can_lie_in_face(b) || !can_lie_in_face(c)) continue;
-      for (const std::uint32_t face : live_.faces_of(live_.feature(a))) {
-        if (!live_.lies_in_face(b, face) || !live_.lies_in_face(c, face)) continue;
+      // Of one that lies in few faces: vertices of segments may lie in many.
+      const auto has_one = [&](VertexId u) { return live_.feature(u).kind == FeatureKind::kFace; };
+      const VertexId least = has_one(a) ? a : has_one(b) ? b : has_one(c) ? c : a;
+      for (const std::uint32_t face : live_.faces_of(live_.feature(least))) {
+        if (!live_.lies_in_face(a, face) || !live_.lies_in_face(b, face) ||
+            !live_.lies_in_face(c, face)) {
+          continue;
+        }
         const FaceTriangle t = live_.face_triangle(face, a, b, c);
         if (t.face != kNone) {
           if (triangles_met_.meet(t.face, t.id)) f(t);
@@ -324,8 +337,8 @@ class SolidView : public View3 {
   std::vector<FaceTriangle> triangles_;
   std::vector<PatchId> patches_;
   mutable std::vector<CellSlot> flat_;  // scratch
-  // By face: corners, and slots of triangles; row 0: subsegments.
-  mutable RoundMarks corners_met_, triangles_met_, segments_met_;
+  // By face: corners, and slots of triangles; row 0: subsegments, cells.
+  mutable RoundMarks corners_met_, triangles_met_, segments_met_, cells_met_;
   // By face and slot of a triangle: its birth, and whether it lies in the face.
   struct Known {
     std::uint32_t birth = kNone;
