@@ -28,6 +28,12 @@ class DrawCollars final : public Stage3 {
     if (!w.live.protects_anything()) return;
     w.live.track_collars();
     clearance_.emplace(w.live.complex(), w.live.incidence());
+    segments_in_.resize(w.live.face_count());
+    for (std::uint32_t k = 0; k < w.live.complex().segments.size(); ++k) {
+      for (const std::uint32_t f : w.live.incidence().faces_of_segment(k)) {
+        segments_in_[f].push_back(k);
+      }
+    }
   }
 
   bool advance(Workspace3& w, Budget& budget) override {
@@ -70,7 +76,7 @@ class DrawCollars final : public Stage3 {
     Live3& live = w.live;
     const FacePlane& plane = live.face(f).plane();
     on_circles_.clear();
-    for (const std::uint32_t k : segments_of(live, f)) {
+    for (const std::uint32_t k : segments_in_[f]) {
       const auto& ends = live.complex().segments[k];
       if (live.is_protected(SegmentId(k))) {
         const std::vector<VertexId> v = chain(live, k);
@@ -86,18 +92,6 @@ class DrawCollars final : public Stage3 {
     std::stable_sort(on_circles_.begin(), on_circles_.end(),
                      [](const OnCircle& c, const OnCircle& d) { return c.center < d.center; });
     draw_circles(w, f);
-  }
-
-  static std::vector<std::uint32_t> segments_of(const Live3& live, std::uint32_t f) {
-    std::vector<std::uint32_t> list;
-    for (const std::uint32_t v : live.incidence().vertices_of_face(f)) {
-      for (const std::uint32_t s : live.incidence().segments_of_vertex(v)) {
-        if (live.incidence().face_has_segment(f, s)) list.push_back(s);
-      }
-    }
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-    return list;
   }
 
   /// The tip of a segment that is not protected, at a vertex that is: on the sides of it that are
@@ -263,6 +257,7 @@ class DrawCollars final : public Stage3 {
 
   const double height_;
   std::uint32_t face_ = 0;
+  std::vector<std::vector<std::uint32_t>> segments_in_;  // by face; ascending
   std::vector<OnCircle> on_circles_;
   std::optional<SegmentClearance> clearance_;
 };
