@@ -208,7 +208,7 @@ function collarVertex(e: TraceEvent, radius: string): string {
   if (e.center !== NONE)
     return `Rule 2: vertex ${e.subject} is inserted${where} beside the end segment at input vertex ${e.center}, on the circle about it that passes through the segment’s tip${e.across === NONE ? '' : `, vertex ${e.across}`}.${radius}`;
   if (e.across === NONE) return `Vertex ${e.subject} of a collar is inserted${where}.${radius}`;
-  return `Rule 1: vertex ${e.subject} is inserted${where} straight across from vertex ${e.across} of a segment, at 0.6 of the longer subsegment there.${radius}`;
+  return `Rule 1: vertex ${e.subject} is inserted${where} straight across from vertex ${e.across} of a segment, at a height in proportion to the longer subsegment there.${radius}`;
 }
 
 /** Why Safety refused, as the end of a sentence. */

@@ -115,7 +115,7 @@ export class App {
     (this.hello?.algorithms ?? [])
       .filter((a) => a.dimension === this.dimension)
       // The page knows where it is.
-      .map((a) => ({ ...a, title: a.title.replace(/ in space$/, '') })),
+      .map((a) => ({ ...a, title: a.title.replace(/ in space\b/, '') })),
   );
   readonly algorithm = $derived(this.algorithms.find((a) => a.id === this.parameters.algorithm));
   /** The finished or growing run is about the input as it is drawn now. */

@@ -3,6 +3,18 @@ import { formatCount } from '../words.ts';
 const removal =
   'Tetrahedra with a small dihedral angle, which a good radius-edge ratio does not rule out: where some point of the ball of one makes them fewer, and encroaches upon nothing, it is inserted.';
 
+/** Algorithms 6.3 and 6.4 differ in how tubes are refined. */
+const intestineSteps = {
+  '0': 'The input vertices alone are tetrahedralized.',
+  '2b': 'Segments at acute angles are split until they are short against all that is near, and beside longer ones are graded: so spheres and tubes of different features do not meet.',
+  '2c': 'A sphere is put about every protected input vertex and a tube, by rings, about every protected segment. In each face they leave collar arcs and collar segments.',
+  '3a': 'Arcs and collar segments with a vertex in their diametral ball are split, until each is an edge.',
+  '3b': 'In every face what lies in spheres and tubes is told from what is beyond.',
+  '3c': 'Patches of spheres and tubes, and triangles of faces outside of them, with a vertex in their ball are split: patches of tubes by new rings or arcs. Then the surfaces are unions of facets.',
+  '3d': 'Tetrahedra inside of the domain are told from those outside.',
+  '3': 'Tetrahedra outside of the spheres and tubes whose circumradius is more than τ times their shortest edge are split: none is refused there, whatever the angles.',
+};
+
 /** Texts of space: how it is looked at, what is measured and protected in it, one face alone. */
 export const spaceTexts = {
   /** The picture of space. */
@@ -152,6 +164,11 @@ export const spaceTexts = {
         '3d': 'Tetrahedra inside of the domain are told from those outside.',
         '3': 'Tetrahedra whose circumradius is more than τ times their shortest edge are split, unless their circumcenters lie in balls of collar simplices alone: these stay (Theorem 6.11), and so it ends.',
         slivers: removal,
+      },
+      'intestine-structured': intestineSteps,
+      intestine: {
+        ...intestineSteps,
+        '3c': 'Patches of spheres and tubes, and triangles of faces outside of them, with a vertex in their ball are split: patches at their circumcenters, in the tube unrolled. Then the surfaces are unions of facets.',
       },
     } as Readonly<Record<string, Readonly<Record<string, string>>>>,
   },
