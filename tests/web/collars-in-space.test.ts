@@ -1,6 +1,6 @@
 import createCircumball from 'circumball';
 import { beforeAll, describe, expect, it } from 'vitest';
-import { collarRegion } from '../../web/src/replay/collar-region.ts';
+import { collarRegion, collarRegionAt } from '../../web/src/replay/collar-region.ts';
 import { Kind } from '../../web/src/replay/event.ts';
 import { facePlane } from '../../web/src/replay/face-plane.ts';
 import { FaceReplay } from '../../web/src/replay/face-replay.ts';
@@ -10,6 +10,7 @@ import { Replay } from '../../web/src/replay/replay.ts';
 import { refusalOf, stoppersOf } from '../../web/src/replay/stoppers.ts';
 import { Label, type MeshState, Protecting } from '../../web/src/shared/types.ts';
 import { findSimplex } from '../../web/src/space/pick.ts';
+import { random } from './small-trace.ts';
 import { type SpaceRun, spaceRun } from './space-run.ts';
 
 /** Collars in space as the page reads them off the trace. */
@@ -96,6 +97,24 @@ describe('collars in space', () => {
     }
     expect(found).toBeGreaterThan(20);
     expect(region.facets.length).toBeLessThan(facets!.liveCount);
+  });
+
+  it('are the same kept from moment to moment, forwards, backwards and by jumps, as found anew', () => {
+    const { trace } = run;
+    const replay = new Replay(trace);
+    const next = random(5);
+    let position = 0;
+    for (let i = 0; i < 250; i++) {
+      const jump = next() < 0.1;
+      const step = jump
+        ? Math.floor(next() * trace.eventCount) - position
+        : Math.floor(next() * 9) - 3;
+      position = Math.min(trace.eventCount, Math.max(0, position + step));
+      replay.seek(position);
+      const state = replay.state();
+      const [kept, anew] = [collarRegionAt(trace, state), collarRegion(trace, state)];
+      expect([...kept.facets].sort()).toEqual([...anew.facets].sort());
+    }
   });
 
   it('are the same in the pane of a face: each triangle, segment and arc of it, and no other', () => {
