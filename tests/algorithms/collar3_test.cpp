@@ -64,6 +64,41 @@ TEST(CollarInSpace, EndsConformsAndKeepsTheorem611OnRandomAcuteComplexes) {
   }
 }
 
+/// Pages at 3 and 9 degrees: ears at corners of their collars are encroached by vertices beside a
+/// side that they do not share with the collar.
+TEST(CollarInSpace, LinesUpAtTheCornersOfItsCollars) {
+  Options options = collar();
+  options.domain = Domain::kBox;
+  const auto run = finish(random_complex3(288, 3, 2), options);
+  ASSERT_TRUE(run);
+  expect_kept_promises(*run, "pages");
+}
+
+TEST(CollarInSpace, KeepsItsPromisesAtOtherHeightsAndSizes) {
+  const char* const settings[][3] = {{"0.75", "0.66", "acute"},
+                                     {"0.52", "0.95", "all"},
+                                     {"0.6", "0.3", "acute"},
+                                     {"0.55", "0.9", "all"}};
+  for (const auto& [height, factor, protect] : settings) {
+    for (const char* name : {"schoenhardt.json", "dangling.json"}) {
+      Options options = collar();
+      options.parameters = {{"height", height}, {"size-factor", factor}, {"protect", protect}};
+      const auto run = finish(example(name), options);
+      ASSERT_TRUE(run) << name << height;
+      expect_kept_promises(*run, std::string(name) + " at height " + height);
+    }
+  }
+}
+
+TEST(CollarInSpace, RefusesHeightsAtWhichCollarsWouldCross) {
+  Options options = collar();
+  options.parameters = {{"height", "0.7"}, {"size-factor", "0.8"}};
+  std::vector<Defect> defects;
+  std::string error;
+  EXPECT_FALSE(Run::create(example("pyramid.json"), options, nullptr, &defects, &error));
+  EXPECT_NE(error.find("below 1/2"), std::string::npos) << error;
+}
+
 TEST(CollarInSpace, IsRuppertsAlgorithmWhereNothingIsAcute) {
   Random random(7);
   for (const testing::Solid& solid : testing::solids()) {
