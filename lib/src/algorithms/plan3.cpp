@@ -67,7 +67,7 @@ std::vector<std::unique_ptr<Stage3>> plan_in_space(const Settings& settings) {
     sizes.all = settings.protect_all;
     sizes.box = false;
     sizes.estimate = settings.estimate_sizes;
-    sizes.clearance = 0.45;
+    sizes.clearance = settings.size_factor;
     sizes.graded = true;
     steps.push_back(prepare_segments(sizes));
     steps.push_back(draw_intestines(settings.algorithm != "intestine"));

@@ -145,8 +145,11 @@ std::vector<AlgorithmInfo> algorithms_in_space() {
                                    "which input vertices and segments get spheres and tubes: the "
                                    "acutely adjacent, or all but those of the box"});
   structured.parameters.push_back(collar.parameters[collar.parameters.size() - 3]);  // sizes
+  structured.parameters.push_back({"size-factor", "0.6", "0.05", "0.75",
+                                   "the c of (H2): pieces of protected segments are shorter than "
+                                   "this part of their feature sizes"});
   structured.action =
-      "Split segments until they are short against their feature sizes (Algorithm 4.1), end "
+      "Split segments until they are short against their distances from other features, end "
       "segments at a vertex alike; put spheres about input vertices and rings about segments, "
       "whose "
       "tubes keep them apart from the rest. Then insert the circumcenter of a simplex, unless it "
