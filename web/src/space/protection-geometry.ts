@@ -1,7 +1,7 @@
 /** Where protecting elements lie: true arcs, and patches that look outwards. */
 
-import { cross, distance3, dot, minus, plus, scaled } from '../replay/geometry3';
-import { type Complex3, type Point3, Protecting } from '../shared/types';
+import { cross, distance3, dot, minus, plus, point3, scaled } from '../replay/geometry3';
+import { type Complex3, type MeshState, type Point3, Protecting } from '../shared/types';
 
 /** Pieces that an arc is drawn in: an angle of 9 degrees for a quarter turn. */
 export const ARC_PIECES = 10;
@@ -69,11 +69,18 @@ export function patchCorners(
   return outward ? [a, b, c] : [a, c, b];
 }
 
-/** The radius of the sphere or circle about an input vertex that an element lies on; of others NaN. */
-export function radiusOf(kind: number, record: ArrayLike<number>, at: PlaceOf): number {
-  if (kind === Protecting.collarArc) return distance3(at(record[0]!), at(record[2]!));
-  if (kind === Protecting.spherePatch) return distance3(at(record[0]!), at(record[3]!));
-  return Number.NaN;
+/** Mean length of the chords of ring arcs; infinite without any. */
+export function arcSpacing({ protection, coordinates }: MeshState): number {
+  let sum = 0;
+  let count = 0;
+  for (let i = 0; protection && i < protection.liveCount; i++) {
+    const n = protection.live[i]!;
+    if (protection.kind[n] !== Protecting.ringArc) continue;
+    const [a, b] = [protection.elements[4 * n]!, protection.elements[4 * n + 1]!];
+    sum += distance3(point3(coordinates, a), point3(coordinates, b));
+    count++;
+  }
+  return count > 0 ? sum / count : Number.POSITIVE_INFINITY;
 }
 
 function axisOf(complex: Complex3 | null, segment: number): [Point3, Point3] | null {

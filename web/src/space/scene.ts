@@ -24,6 +24,7 @@ import { faceColor, faceOpacity, type MeshLook, place, SpaceMeshLayer } from './
 import { momentOver3, momentUnder3, placesOf } from './moment-items';
 import { labelItems3, pickedItems3 } from './overlay-items';
 import type { PickScene } from './pick';
+import { arcSpacing } from './protection-geometry';
 import { ProtectionLayer } from './protection-layer';
 import { makeSpaceUniforms, setSpaceView, triangleShader } from './shaders';
 import { defaultLook, type SpaceHit, type SpaceLook, type SpaceView } from './types';
@@ -68,6 +69,7 @@ export class SpaceScene {
   scale: ColorScale | null = null;
   featureBounds: Bounds3 | null = null; // of segments and faces
   spacing = 0; // mean length of subsegments
+  private crowding = 0; // the same, or of the arcs of rings, which may be shorter
   theme: PictureTheme;
   private readonly glyphs: Glyphs = makeGlyphs();
   private readonly mesh: SpaceMeshLayer;
@@ -129,7 +131,7 @@ export class SpaceScene {
       this.inputBounds = complex && boundsOf3([...complex.vertices, ...complex.holes]);
       this.featureBounds = complex && boundsOfFeatures(complex);
       this.spacingOfInput = complex ? meanLength(complex.vertices, complex.segments) : 0;
-      if (!this.state) this.spacing = this.spacingOfInput;
+      if (!this.state) this.spacing = this.crowding = this.spacingOfInput;
     }
     Object.assign(this, { complex, triangles, defects });
     this.touch('complex');
@@ -154,6 +156,7 @@ export class SpaceScene {
     this.state = shown;
     this.region = region;
     this.spacing = shown ? this.mesh.spacing(shown) : this.spacingOfInput;
+    this.crowding = Math.min(this.spacing, shown ? arcSpacing(shown) : Number.POSITIVE_INFINITY);
     this.touch('mesh', 'cells', 'moment');
   }
 
@@ -340,8 +343,8 @@ export class SpaceScene {
 
   /** Vertices get smaller where they would crowd. */
   private markSize(scale: number): number {
-    if (this.spacing === 0) return 1;
-    return Math.min(1, Math.max(0.35, (this.spacing * scale) / 16));
+    if (this.crowding === 0) return 1;
+    return Math.min(1, Math.max(0.35, (this.crowding * scale) / 16));
   }
 
   private includeVertices(): void {
