@@ -55,8 +55,9 @@ SolidView::Box3 SolidView::box_of_facet(CellFacet f) const {
 
 /// Whether no vertex is beyond the facet f, which lies in the face: all input vertices that do not
 /// belong to the group of the face are on its other side, by far more than rounding. Vertices that
-/// refinement inserts are in the convex hull of the input.
+/// refinement inserts are in the convex hull of the input, but for those on spheres and tubes.
 bool SolidView::is_hull_side(std::uint32_t face, CellFacet f) const {
+  if (live_.has_intestine()) return false;
   if (hull_sides_.empty()) hull_sides_.assign(live_.face_count(), HullSide::kUnknown);
   const FacePlane& plane = live_.face(face).plane();
   HullSide& side = hull_sides_[face];
