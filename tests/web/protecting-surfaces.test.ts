@@ -11,6 +11,7 @@ import {
   type Moment3,
   type Point3,
   Protecting,
+  VertexKind,
 } from '../../web/src/shared/types.ts';
 import {
   ARC_PIECES,
@@ -99,6 +100,25 @@ describe('spheres and tubes that protect', () => {
     expect(() => spaceTrace(lying, { dimension: 3, vertexCount: 2, segments: [[0, 1]] })).toThrow(
       /never began/,
     );
+  });
+
+  it('have vertices that lie in no face, though they split triangles', () => {
+    const split: Draft = {
+      kind: Kind.inserted,
+      dimension: 2,
+      reason: Reason.circumcenter,
+      simplex: [4, 5, 7],
+      subject: 8,
+      at: [1.5, 0.5, 0.5],
+      dead: [],
+      born: [],
+    };
+    const trace8 = spaceTrace([...drafts, split], {
+      dimension: 3,
+      vertexCount: 2,
+      segments: [[0, 1]],
+    });
+    expect(trace8.vertexKind.data[8]).toBe(VertexKind.free);
   });
 
   it('are told and pointed to', () => {

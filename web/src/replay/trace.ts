@@ -329,5 +329,6 @@ function vertexKindOf(event: TraceEvent, dimension: number): VertexKind {
   if (event.reason === Reason.box) return VertexKind.box;
   const ofInput = event.center === NONE && (dimension === 2 || event.segment !== NONE);
   if (event.dimension === 1 && ofInput) return VertexKind.onSegment;
-  return dimension === 3 && event.dimension === 2 ? VertexKind.inFace : VertexKind.free;
+  const inFace = dimension === 3 && event.dimension === 2 && event.face !== NONE;
+  return inFace ? VertexKind.inFace : VertexKind.free;
 }
