@@ -25,7 +25,7 @@ struct FeatureSize1b {
   Verdict unacceptable(const View3& view, SubsegmentId s) const {
     const double length2 = view.squared_length(s);
     Verdict why;
-    view.for_each_in_spindle(s, [&](SubsegmentId other) {
+    const auto look_at = [&](SubsegmentId other) {
       const Subsegment& u = view.subsegment(other);
       for (const VertexId q : {u.a, u.b}) {
         // The input vertex that the spindle shares is looked at once.
@@ -35,7 +35,12 @@ struct FeatureSize1b {
           return !why;
         });
       }
-    });
+    };
+    look_at(s);
+    for (const VertexId end : {view.subsegment(s).a, view.subsegment(s).b}) {
+      if (why || !View3::is_less(view.squared_clearance_of_spindle(end), length2)) continue;
+      view.for_each_other_at(end, s, look_at);
+    }
     return why;
   }
   Verdict near_vertex(const View3& view, SubsegmentId s, VertexId q, VertexId p) const {

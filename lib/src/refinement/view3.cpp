@@ -51,6 +51,33 @@ bool View3::is_witness(VertexId p, SubsegmentId s) const {
   return true;
 }
 
+double View3::squared_clearance_of_spindle(VertexId q0) const {
+  if (!live_.is_input_vertex(q0)) return HUGE_VAL;
+  if (spindle_ == q0 && spindle_vertices_ == dt_.vertex_count()) return spindle_clearance2_;
+  double least2 = HUGE_VAL;
+  const auto look_at = [&](VertexId q) {
+    for_each_near_neighbor(q, HUGE_VAL, [&](VertexId p, double d2) {
+      const Feature& carrier = live_.feature(p);
+      if (p == q0 || carrier.kind > FeatureKind::kSegment) return true;
+      if (carrier.kind == FeatureKind::kSegment) {
+        const auto& ends = live_.complex().segments[carrier.index];
+        if (VertexId(ends[0]) == q0 || VertexId(ends[1]) == q0) return true;
+      }
+      least2 = std::min(least2, d2);
+      return true;
+    });
+  };
+  look_at(q0);
+  for (const SubsegmentId s : live_.subsegments_at(q0)) {
+    const Subsegment& u = live_.subsegment(s);
+    look_at(u.a == q0 ? u.b : u.a);
+  }
+  spindle_ = q0;
+  spindle_vertices_ = dt_.vertex_count();
+  spindle_clearance2_ = least2;
+  return least2;
+}
+
 double View3::squared_circumradius(const FaceTriangle& t) const {
   const FaceRefinement& face = live_.face(t.face);
   const auto& v = face.triangulation().triangle(t.id).v;

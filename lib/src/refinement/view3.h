@@ -71,13 +71,20 @@ class View3 {
   void for_each_in_spindle(SubsegmentId s, F f) const {
     f(s);
     const Subsegment& u = live_.subsegment(s);
-    for (const VertexId end : {u.a, u.b}) {
-      if (!live_.is_input_vertex(end)) continue;
-      for (const SubsegmentId other : live_.subsegments_at(end)) {
-        if (other != s) f(other);
-      }
+    for (const VertexId end : {u.a, u.b}) for_each_other_at(end, s, f);
+  }
+  /// The part of it at one end.
+  template <class F>
+  void for_each_other_at(VertexId end, SubsegmentId s, F f) const {
+    if (!live_.is_input_vertex(end)) return;
+    for (const SubsegmentId other : live_.subsegments_at(end)) {
+      if (other != s) f(other);
     }
   }
+  /// A squared distance below which no end of an end segment at q0 has a Delaunay neighbor that is
+  /// a 1-feature size witness for any of them: so that not all are compared with all, where
+  /// thousands meet. Infinite where q0 is no input vertex.
+  double squared_clearance_of_spindle(VertexId q0) const;
   /// Calls f for the Delaunay neighbors p of q that are nearer than `length2` (squared) by more
   /// than the slack, with the squared distance. f returns whether to go on.
   template <class F>
@@ -138,6 +145,10 @@ class View3 {
   Delaunay3& dt_;  // only its scratch (the cavity of a probe) is ever written here
   bool measuring_;
   mutable std::vector<VertexId> neighbors_;  // scratch
+  // The last answer of squared_clearance_of_spindle, and how many vertices there were.
+  mutable VertexId spindle_;
+  mutable std::uint32_t spindle_vertices_ = 0;
+  mutable double spindle_clearance2_ = 0;
 };
 
 }  // namespace circumball
