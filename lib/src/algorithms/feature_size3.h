@@ -1,6 +1,7 @@
 #ifndef CIRCUMBALL_ALGORITHMS_FEATURE_SIZE3_H_
 #define CIRCUMBALL_ALGORITHMS_FEATURE_SIZE3_H_
 
+#include <algorithm>
 #include <cmath>
 
 #include "refinement/agenda3.h"
@@ -36,10 +37,19 @@ struct FeatureSize1b {
         });
       }
     };
+    const auto ends = {view.subsegment(s).a, view.subsegment(s).b};
+    const auto may_have = [&](VertexId end) {
+      return View3::is_less(view.squared_clearance_of_spindle(end), length2);
+    };
+    // That of one end is about both ends of s, too.
+    const auto is_input = [&](VertexId end) { return view.is_input_vertex(end); };
+    if (std::any_of(ends.begin(), ends.end(), is_input) &&
+        std::none_of(ends.begin(), ends.end(), may_have)) {
+      return {};
+    }
     look_at(s);
-    for (const VertexId end : {view.subsegment(s).a, view.subsegment(s).b}) {
-      if (why || !View3::is_less(view.squared_clearance_of_spindle(end), length2)) continue;
-      view.for_each_other_at(end, s, look_at);
+    for (const VertexId end : ends) {
+      if (!why && may_have(end)) view.for_each_other_at(end, s, look_at);
     }
     return why;
   }

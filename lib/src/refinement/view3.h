@@ -62,6 +62,7 @@ class View3 {
   double squared_distance_between(VertexId p, VertexId q) const {
     return squared_distance(dt_.point(p), dt_.point(q));
   }
+  bool is_input_vertex(VertexId v) const { return live_.is_input_vertex(v); }
   bool is_end_of(VertexId q, SubsegmentId s) const {
     return q == live_.subsegment(s).a || q == live_.subsegment(s).b;
   }
