@@ -53,7 +53,9 @@ bool View3::is_witness(VertexId p, SubsegmentId s) const {
 
 double View3::squared_clearance_of_spindle(VertexId q0) const {
   if (!live_.is_input_vertex(q0)) return HUGE_VAL;
-  if (spindle_ == q0 && spindle_vertices_ == dt_.vertex_count()) return spindle_clearance2_;
+  if (clearances_.size() <= q0.value) clearances_.resize(live_.complex().vertices.size());
+  Clearance& known = clearances_[q0.value];
+  if (known.vertices == dt_.vertex_count()) return known.squared;
   double least2 = HUGE_VAL;
   const auto look_at = [&](VertexId q) {
     for_each_near_neighbor(q, HUGE_VAL, [&](VertexId p, double d2) {
@@ -72,9 +74,7 @@ double View3::squared_clearance_of_spindle(VertexId q0) const {
     const Subsegment& u = live_.subsegment(s);
     look_at(u.a == q0 ? u.b : u.a);
   }
-  spindle_ = q0;
-  spindle_vertices_ = dt_.vertex_count();
-  spindle_clearance2_ = least2;
+  known = {dt_.vertex_count(), least2};
   return least2;
 }
 

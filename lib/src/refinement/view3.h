@@ -146,10 +146,12 @@ class View3 {
   Delaunay3& dt_;  // only its scratch (the cavity of a probe) is ever written here
   bool measuring_;
   mutable std::vector<VertexId> neighbors_;  // scratch
-  // The last answer of squared_clearance_of_spindle, and how many vertices there were.
-  mutable VertexId spindle_;
-  mutable std::uint32_t spindle_vertices_ = 0;
-  mutable double spindle_clearance2_ = 0;
+  // Answers of squared_clearance_of_spindle, by vertex, and how many vertices there were.
+  struct Clearance {
+    std::uint32_t vertices = 0;
+    double squared = 0;
+  };
+  mutable std::vector<Clearance> clearances_;
 };
 
 }  // namespace circumball
