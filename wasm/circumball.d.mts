@@ -97,6 +97,13 @@ export interface CheckResult {
   worst: number[];
 }
 
+export interface DihedralHistogram {
+  slivers: number; // cells with an angle below the bound
+  min_dihedral_degrees: number;
+  max_dihedral_degrees: number;
+  dihedrals: number[]; // of angles in [0, 10), [10, 20), … [170, 180] degrees
+}
+
 /** The report of cli.md. */
 export interface Report {
   schema: 1;
@@ -115,7 +122,17 @@ export interface Report {
     refused: number;
     seconds: number;
   }[];
-  mesh: Record<string, number | null>;
+  mesh: Record<string, number | number[] | null>; // dihedrals, in space: counts of angles in 18 bins of 10 degrees
+  /** Of the step that removes slivers, where there is one. */
+  slivers?: {
+    bound: number; // degrees
+    before: DihedralHistogram;
+    after: DihedralHistogram;
+    removed: number;
+    kept: number;
+    reasons: Record<string, number>; // why slivers are kept, and how many
+    cells: { simplex: number[]; rule: string; reason: string; near: string }[];
+  };
   unresolved: { simplex: number[]; rule: string; reason: string; near: string }[];
   checks: CheckResult[];
   fingerprint: string;
