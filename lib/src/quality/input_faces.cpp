@@ -291,10 +291,11 @@ Check check_input_faces(const VerifyContext3& context) {
   check.name = "input-faces";
   check.bound = 0;
   FaceFinder finder(context);
-  std::size_t missing = 0;
+  std::size_t missing = 0, looked_at = 0;
   const std::size_t faces = context.complex.faces.size();
   for (std::uint32_t f = 0; f < faces && !context.cells.empty(); ++f) {
     if (!context.face_wanted[f]) continue;  // outside of a closed domain
+    ++looked_at;
     const FaceProblem problem = finder.look(f);
     if (problem.why.empty() || missing++ > 0) continue;
     check.worst = problem.at;
@@ -311,8 +312,10 @@ Check check_input_faces(const VerifyContext3& context) {
     check.detail = "there are no cells, and so no facets to look at";
     return check;
   }
-  check.detail = count_text(faces, "input face") + ", each tiled on both sides, by " +
+  check.detail = count_text(looked_at, "input face") + ", each tiled on both sides, by " +
                  count_text(finder.facets(), "facet") + " in all";
+  if (looked_at < faces)
+    check.detail += "; " + std::to_string(faces - looked_at) + " outside the domain";
   if (!finder.labeled() && faces > 0)
     check.detail += "; without labels: vertices count as on them within 1e-9 of the diameter";
   return check;
