@@ -226,6 +226,42 @@ TEST(MatchingRegion, ConformsWhereTheDelaunayTetrahedralizationDoesNot) {
   EXPECT_FALSE(delaunay[0].ok);
 }
 
+TEST(IntestinesInSpace, ReplayToTheMeshInBothDirections) {
+  const Complex complex = example("pyramid.json");
+  for (const char* algorithm : kBoth) {
+    for (const Domain domain : {Domain::kBox, Domain::kClosed}) {
+      Trace trace;
+      trace.dimension = 3;
+      Options options = intestine(algorithm);
+      options.parameters["protect"] = "all";
+      options.domain = domain;
+      const auto run = finish(complex, options, &trace);
+      ASSERT_TRUE(run);
+      Replay replay(trace);
+      replay.seek(trace.events.size());
+      std::vector<std::vector<std::uint32_t>> replayed, meshed;
+      const auto cells = replay.cells();
+      for (std::size_t i = 0; i < cells.size(); i += 5) {
+        if (cells[i + 4] == 2) continue;  // outside
+        replayed.emplace_back(cells.begin() + static_cast<std::ptrdiff_t>(i),
+                              cells.begin() + static_cast<std::ptrdiff_t>(i + 4));
+        std::sort(replayed.back().begin(), replayed.back().end());
+      }
+      const Mesh mesh = run->mesh();
+      for (std::size_t i = 0; i < mesh.cell_count(); ++i) {
+        meshed.emplace_back(mesh.cell(i), mesh.cell(i) + 4);
+        std::sort(meshed.back().begin(), meshed.back().end());
+      }
+      std::sort(replayed.begin(), replayed.end());
+      std::sort(meshed.begin(), meshed.end());
+      EXPECT_EQ(replayed, meshed) << algorithm;
+      replay.seek(0);
+      EXPECT_TRUE(replay.cells().empty());
+      EXPECT_TRUE(replay.protection().empty());
+    }
+  }
+}
+
 /// Conjecture 6.16, as far as it can be observed: lfs(q) <= C r_q for every vertex inserted. Small
 /// angles make C large: with the smallest one alpha, C sin(alpha) of vertices of step 3 is bounded
 /// here, and C sin^2(alpha) of those before, where angles between segments and faces, and between

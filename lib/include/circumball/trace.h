@@ -75,8 +75,10 @@ enum class Reason : std::uint8_t {
                            ///< `value` = that distance
   kNearLocalWitness = 11,  ///< the same, a local feature size witness (4.3)
   kNearVertex =
-      12,        ///< a vertex of this triangle of a face has a Delaunay neighbor `subject` outside
-                 ///< of the face, nearer than its circumdiameter (4.3); `value` = that distance
+      12,  ///< a vertex of this triangle of a face has a Delaunay neighbor `subject` outside
+           ///< of the face, nearer than its circumdiameter (4.3); `value` = that distance
+  kMatching = 14,  ///< kRelabeled: other tetrahedra take the place of the Delaunay ones in tubes,
+                   ///< and match what is around (thesis, Theorem 6.15)
   kWide = 13,    ///< a patch of a sphere has an angular radius above 45 degrees
   kSliver = 15,  ///< `value` = smallest dihedral angle in degrees < the bound
   // where a vertex was inserted

@@ -7,6 +7,7 @@
 #include "algorithms/settings.h"
 #include "complex/export2.h"
 #include "complex/export3.h"
+#include "complex/matching_region.h"
 #include "refinement/solid_view.h"
 
 namespace circumball {
@@ -49,7 +50,12 @@ void settle_domain(Live3* live, Recorder3* recorder) {
   // Estimates of feature sizes leave the whole convex hull as it is; so does a run that was stopped
   // before all faces were there, as nothing keeps inside and outside apart yet. Where faces have
   // gaps again as it was stopped later, labels stay as insertions inherited them.
-  if (live->classified()) recorder->relabeled(classify_if_conforming(live));
+  if (!live->classified()) return;
+  recorder->relabeled(classify_if_conforming(live));
+  if (recorder->on() && live->has_intestine() && !live->intestine().structured()) {
+    const MatchingRegion region(*live);
+    if (region.matches) recorder->replaced(region);
+  }
 }
 
 bool knows_domain(const Live2&) { return true; }

@@ -108,6 +108,8 @@ const char* name(Reason reason) {
       return "no-room";
     case Reason::kNotImproved:
       return "not-improved";
+    case Reason::kMatching:
+      return "matching";
     case Reason::kWide:
       return "wide";
     case Reason::kRing:

@@ -81,6 +81,24 @@ void Recorder3::relabeled(const std::vector<RelabeledCell>& cells) {
   if (e.other[0] > 0) send_with_stream(e);
 }
 
+void Recorder3::replaced(const MatchingRegion& region) {
+  if (!sink_) return;
+  const Delaunay3& dt = live_.triangulation();
+  Event e = blank(EventKind::kRelabeled);
+  e.reason = Reason::kMatching;
+  stream_.clear();
+  e.other[0] = e.other[1] = 0;
+  dt.for_each_cell([&](CellSlot c) {
+    if (region.replaced[c]) e.other[0] += append(dt.cell(c));
+  });
+  for (const MatchingRegion::Cell& cell : region.cells) {
+    for (const VertexId v : cell.v) stream_.push_back(v.value);
+    stream_.push_back(traced(cell.label));
+    ++e.other[1];
+  }
+  if (e.other[0] > 0) send_with_stream(e);
+}
+
 bool Recorder3::append(const Delaunay3::Cell& cell) {
   for (const VertexId v : cell.v) {
     if (v == Delaunay3::kGhost) return false;

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "complex/matching_region.h"
 #include "complex/solid_domain.h"
 #include "refinement/recorder_base.h"
 #include "refinement/view3.h"
@@ -50,6 +51,8 @@ class Recorder3 : public RecorderBase<Recorder3, Point3> {
   }
   /// Cells that got another label while they live.
   void relabeled(const std::vector<RelabeledCell>& cells);
+  /// What takes the place of the Delaunay cells in tubes.
+  void replaced(const MatchingRegion& region);
   /// The triangles of a face as they are when its refinement begins.
   void face_created(std::uint32_t face);
   /// What protects acute input features: elements that end, and those that begin.

@@ -417,6 +417,12 @@ std::string describe(const Event& e, const std::vector<std::string>& steps) {
       return "What protects the input changes: " + std::to_string(e.other[0]) +
              " of its elements die, " + std::to_string(e.other[1]) + " are born.";
     case EventKind::kRelabeled:
+      if (e.reason == Reason::kMatching) {
+        return "In the tubes, " + std::to_string(e.other[1]) +
+               " tetrahedra that conform take the "
+               "place of " +
+               std::to_string(e.other[0]) + " Delaunay ones, and match what is around.";
+      }
       return "The triangles are told apart: inside and outside of the domain.";
     case EventKind::kLimit:
       return std::string("The run stops: ") + name(e.reason) + ".";

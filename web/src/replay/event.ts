@@ -34,6 +34,7 @@ export const Reason = {
   nearLocalWitness: 11,
   nearVertex: 12,
   wide: 13,
+  matching: 14,
   sliver: 15,
   input: 16,
   box: 17,

@@ -101,6 +101,8 @@ function simplexSort(e: TraceEvent): string {
 }
 
 function relabeled(e: TraceEvent, dimension: 2 | 3, domain: DomainCounts | undefined): string {
+  if (e.reason === Reason.matching)
+    return `In the tubes, ${plural(e.other[1], 'tetrahedron that conforms takes', 'tetrahedra that conform take')} the place of ${formatCount(e.other[0])} Delaunay ones, and match what is around (Theorem 6.15).`;
   const cell = dimension === 2 ? 'triangle' : 'tetrahedron';
   const cells = dimension === 2 ? 'triangles' : 'tetrahedra';
   const lie = (n: number) => plural(n, `${cell} is`, `${cells} are`);
