@@ -13,5 +13,6 @@ export default defineConfig({
     include: ['tests/{web,wasm,cli}/**/*.test.ts'],
     environment: 'node',
     testTimeout: 30_000,
+    benchmark: { include: ['bench/*.bench.ts'] },
   },
 });

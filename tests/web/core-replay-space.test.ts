@@ -10,7 +10,6 @@ import { Replay } from '../../web/src/replay/replay.ts';
 import { Trace } from '../../web/src/replay/trace.ts';
 import { Label, type Moment3 } from '../../web/src/shared/types.ts';
 import { examples } from '../../web/src/store/examples.ts';
-import { random } from './small-trace.ts';
 
 /** The page draws nothing but the replayed trace: in space, too, it must be the mesh of the core. */
 
@@ -89,17 +88,6 @@ describe.each(spatial.map((e) => [e.id, e] as const))('%s', (_, example) => {
       // A moment that names a near witness draws the ball that it lies in.
       if (moment.near !== null) expect(moment.ball).not.toBeNull();
     }
-    const next = random(1);
-    const times: number[] = [];
-    for (let i = 0; i < 20; i++) {
-      const goal = Math.floor(next() * (trace.eventCount + 1));
-      const start = performance.now();
-      replay.seek(goal);
-      replay.state();
-      times.push(performance.now() - start);
-    }
-    times.sort((a, b) => a - b);
-    expect(times[10]! * Math.min(1, 10_000 / trace.eventCount)).toBeLessThan(50);
   });
 
   it('gives every face a triangulation of its own that covers it', () => {
