@@ -79,8 +79,8 @@ enum class Reason : std::uint8_t {
            ///< of the face, nearer than its circumdiameter (4.3); `value` = that distance
   kMatching = 14,  ///< kRelabeled: other tetrahedra take the place of the Delaunay ones in tubes,
                    ///< and match what is around (thesis, Theorem 6.15)
-  kWide = 13,    ///< a patch of a sphere has an angular radius above 45 degrees
-  kSliver = 15,  ///< `value` = smallest dihedral angle in degrees < the bound
+  kWide = 13,      ///< a patch of a sphere has an angular radius above 45 degrees
+  kSliver = 15,    ///< `value` = smallest dihedral angle in degrees < the bound
   // where a vertex was inserted
   kInput = 16,         ///< an input vertex (step 0)
   kBox = 17,           ///< a corner of the box
