@@ -186,8 +186,11 @@ bool SolidView::crosses(const FaceTriangle& t, VertexId p, VertexId q) const {
 }
 
 bool SolidView::conforms() const {
+  // Inside of tubes of Algorithm 6.3 nothing needs to: floods go around them.
+  const bool torn = live_.has_intestine() && !live_.intestine().structured();
   for (std::uint32_t i = 0; i < live_.subsegment_count(); ++i) {
     const Subsegment& u = live_.subsegment(SubsegmentId(i));
+    if (torn && u.is_collar) continue;
     if (u.alive && !u.is_collar_element() && is_missing(SubsegmentId(i))) return false;
   }
   for (std::uint32_t f = 0; f < live_.face_count(); ++f) {
@@ -195,7 +198,7 @@ bool SolidView::conforms() const {
     bool whole = true;
     dt.for_each_triangle([&](TriangleId id) {
       const FaceTriangle t{f, id, dt.triangle(id).birth};
-      if (!whole || !is_in_face(t)) return;
+      if (!whole || !is_in_face(t) || (torn && is_in_collar(t))) return;
       const auto v = corners(t);
       whole = dt_.find_facet(v[0], v[1], v[2]) != kNone || !encroachment_of_missing(t);
     });
