@@ -126,7 +126,7 @@ Mesh export_mesh(Live3* live, std::uint32_t input_vertices) {
   std::vector<CellSlot> scratch;
   for (std::uint32_t i = 0; i < live->subsegment_count(); ++i) {
     const Subsegment& u = live->subsegment(SubsegmentId(i));
-    if (!u.alive || u.is_of_tube()) continue;
+    if (!u.alive || u.is_collar_element() || u.is_of_tube()) continue;
     const bool in_region =
         region && std::binary_search(region->inside_edges.begin(), region->inside_edges.end(),
                                      std::array{std::min(u.a, u.b), std::max(u.a, u.b)});
