@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <string>
@@ -257,6 +259,41 @@ TEST(VerifyInSpace, SeesWhatIsBroken) {
     s.mesh.dimension = 2;
     EXPECT_TRUE(fails(s).count("topology")) << s.said();
   }
+}
+
+TEST(VerifyInSpace, AClosedMeshWithHolesFillsNotWhatItsFacesEnclose) {
+  Random random(3);
+  const testing::Rotation turn(&random);
+  Subject3 whole = kuhn(4, &turn);
+  whole.options.domain = "closed";
+  whole.options.checks = {"topology", "input-segments", "input-faces", "volume"};
+  std::set<std::array<std::uint32_t, 3>> in_faces;
+  for (const MeshFacet& f : whole.mesh.facets) {
+    std::array<std::uint32_t, 3> v{f.a, f.b, f.c};
+    std::sort(v.begin(), v.end());
+    in_faces.insert(v);
+  }
+  std::size_t torn = 0;
+  for (std::size_t c = 0; c < whole.mesh.cell_count() && torn < 3; c += 7) {
+    std::array<std::uint32_t, 4> v;
+    std::copy(whole.mesh.cell(c), whole.mesh.cell(c) + 4, v.begin());
+    std::sort(v.begin(), v.end());
+    bool inner = true;
+    for (std::size_t skip = 0; skip < 4; ++skip)
+      inner = inner && !in_faces.count({v[skip == 0], v[skip <= 1 ? 2 : 1], v[skip <= 2 ? 3 : 2]});
+    if (!inner) continue;
+    ++torn;
+    for (const bool labeled : {true, false}) {
+      Subject3 s = labeled ? whole : whole.foreign();
+      EXPECT_TRUE(s.failing().empty()) << s.said();
+      const auto at = s.mesh.cells.begin() + static_cast<std::ptrdiff_t>(4 * c);
+      s.mesh.cells.erase(at, at + 4);
+      const std::set<std::string> names = s.failing();
+      EXPECT_TRUE(names.count("volume")) << s.said();
+      EXPECT_TRUE(names.count("input-faces")) << s.said();  // its boundary leaves the faces
+    }
+  }
+  EXPECT_EQ(torn, 3u);
 }
 
 TEST(VerifyInSpace, AMeshThatCoversAPlaceTwiceIsNoTiling) {

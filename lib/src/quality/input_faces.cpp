@@ -9,6 +9,7 @@
 #include "complex/box_tree.h"
 #include "feature_size/face_pieces.h"
 #include "feature_size/vectors.h"
+#include "quality/boundary_facets.h"
 #include "quality/context3.h"
 
 namespace circumball {
@@ -307,6 +308,18 @@ Check check_input_faces(const VerifyContext3& context) {
   if (!check.ok) {
     if (missing > 1) check.detail += " (" + std::to_string(missing) + " such)";
     return check;
+  }
+  if (context.closed()) {
+    // What is closed ends at input faces: where it does not, something is torn out.
+    const std::size_t off = boundary_facets_off_faces(context, &check.worst);
+    if (off > 0) {
+      check.ok = false;
+      check.observed = static_cast<double>(off);
+      check.detail = count_text(off, "facet") +
+                     " on the boundary of the closed mesh in no input face, the first is " +
+                     vertices_text(check.worst);
+      return check;
+    }
   }
   if (context.cells.empty()) {
     check.detail = "there are no cells, and so no facets to look at";
