@@ -68,8 +68,7 @@ Point3 circumcenter(const Point3& o, const Point3& p, const Point3& q, const Poi
 
 /// Theorem 6.11: the circumcenter of any tetrahedron with RE(t) > tau lies in the ball of a collar
 /// simplex. Collar simplices are read off the mesh: its subsegments on protected segments and at
-/// protected vertices, its facets in faces that touch these, and those facets between that have no
-/// vertex but collar vertices: all neighbors along such facets of vertices on protected segments.
+/// protected vertices, and its facets in faces that touch these.
 Check check_collar(const VerifyContext3& context) {
   Check check;
   check.name = "collar";
@@ -89,12 +88,6 @@ Check check_collar(const VerifyContext3& context) {
     return on_protected(v) && mesh.vertex_features[v].kind == FeatureKind::kVertex;
   };
   const auto usable = [&](std::uint32_t v) { return v < context.used.size() && context.used[v]; };
-  std::vector<std::uint8_t> beside(mesh.vertices.size(), 0);
-  for (const MeshFacet& f : mesh.facets) {
-    if (!usable(f.a) || !usable(f.b) || !usable(f.c)) continue;
-    if (!on_protected(f.a) && !on_protected(f.b) && !on_protected(f.c)) continue;
-    for (const std::uint32_t v : {f.a, f.b, f.c}) beside[v] = 1;
-  }
   std::vector<Ball> balls;
   std::vector<Box3> boxes;
   const auto add = [&](const Ball& ball) {
@@ -111,7 +104,7 @@ Check check_collar(const VerifyContext3& context) {
   }
   for (const MeshFacet& f : mesh.facets) {
     if (!usable(f.a) || !usable(f.b) || !usable(f.c)) continue;
-    if (!beside[f.a] || !beside[f.b] || !beside[f.c]) continue;
+    if (!on_protected(f.a) && !on_protected(f.b) && !on_protected(f.c)) continue;
     add(ball_of(context.point(f.a), context.point(f.b), context.point(f.c)));
   }
   const BoxTree3 tree(std::move(boxes));
