@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "circumball/feature_size.h"
@@ -38,6 +37,7 @@ class ProtectionCheck {
       check_.detail = count_text(pieces_.size(), "protected subsegment") +
                       ": |s| < c min(fs_1(s), lfs(s)) with c = " + value_text(factor()) +
                       ", feature sizes by definition, the largest ratio is " + value_text(worst_) +
+                      lower_bound_text() +
                       " (thesis, H2); end segments at a vertex are equal (H3); the balls of these "
                       "and of " +
                       count_text(facets_, "facet") + " at them hold no vertex (Lemma 6.9 I)";
@@ -49,6 +49,11 @@ class ProtectionCheck {
   }
 
  private:
+  /// The b of (H2) that the mesh has: the thesis asks for one above 0, and names none.
+  std::string lower_bound_text() const {
+    if (std::isinf(least_)) return "";
+    return ", the smallest of |s| and min(fs_1(s), lfs(s)), b, is " + value_text(least_);
+  }
   double factor() const { return context_.options.size_factor.value_or(1); }
   void fail(const std::string& detail, std::vector<std::uint32_t> worst) {
     if (!std::exchange(check_.ok, false)) return;
@@ -94,6 +99,7 @@ class ProtectionCheck {
     for (const Piece& p : pieces_) {
       const Point3 &a = context_.point(p.a), &b = context_.point(p.b);
       double bound = std::min(sizes.of_subsegment(a, b, 1).radius, sizes.local(a, b, 2).radius);
+      if (std::isfinite(bound)) least_ = std::min(least_, length(p) / bound);
       if (!p.end) bound = std::min(bound, sizes.clearance(a, b, p.segment, 2).radius);
       if (std::isinf(bound)) continue;
       const double ratio = length(p) / bound;
@@ -216,7 +222,7 @@ class ProtectionCheck {
   std::vector<Piece> pieces_;
   std::vector<bool> at_protected_, on_protected_;  // by mesh vertex
   std::size_t facets_ = 0;
-  double worst_ = 0;
+  double worst_ = 0, least_ = HUGE_VAL;
   std::vector<std::uint32_t> worst_piece_;
 };
 
