@@ -133,7 +133,10 @@ export interface Report {
     reasons: Record<string, number>; // why slivers are kept, and how many
     cells: { simplex: number[]; rule: string; reason: string; near: string }[];
   };
+  /** At most the first thousand. */
   unresolved: { simplex: number[]; rule: string; reason: string; near: string }[];
+  /** How many there are in all. */
+  unresolved_total: number;
   checks: CheckResult[];
   fingerprint: string;
   seconds: number;

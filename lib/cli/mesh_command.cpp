@@ -124,9 +124,8 @@ std::string summary(const Run& run, const Mesh& mesh) {
   if (!text.empty() && text.back() == '\n') text.pop_back();
   if (!run.domain_known())
     text += "\nthe domain is not known yet: the mesh is all of the convex hull, without regions";
-  const std::size_t unresolved = run.unresolved().size();
-  if (unresolved)
-    text += fmt::format("\nunresolved: {}{}", unresolved, unresolved < 1000 ? "" : "+");
+  const std::size_t unresolved = run.unresolved(static_cast<std::size_t>(-1)).size();
+  if (unresolved) text += fmt::format("\nunresolved: {}", unresolved);
   text += fmt::format("\nfingerprint {}, {:.3g} s\n", fingerprint(mesh), run.progress().seconds);
   return text;
 }

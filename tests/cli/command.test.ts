@@ -161,8 +161,8 @@ describe.each(commands)('%s', (_, command) => {
     const report = bench.json('report.json');
     expect(Object.keys(report)).toEqual(
       (
-        'schema version algorithm dimension parameters input status steps mesh unresolved checks ' +
-        'fingerprint seconds peak_bytes'
+        'schema version algorithm dimension parameters input status steps mesh unresolved ' +
+        'unresolved_total checks fingerprint seconds peak_bytes'
       ).split(' '),
     );
     expect(Object.keys(report.input)).toEqual([

@@ -23,9 +23,10 @@ const char* version();
 VerifyOptions promised_checks(const Run& run);
 
 struct ReportOptions {
-  std::size_t max_unresolved = 1000;  ///< how many unresolved simplices are listed
-  bool worst_offenders = false;       ///< adds to each check the vertices of its worst offender
-  int indent = 2;                     ///< spaces; negative: all on one line
+  std::size_t max_unresolved =
+      1000;                      ///< how many unresolved simplices are listed; the total is told
+  bool worst_offenders = false;  ///< adds to each check the vertices of its worst offender
+  int indent = 2;                ///< spaces; negative: all on one line
 };
 
 /// The report as JSON: schema 1, keys in the order in which the manual of the command shows them.

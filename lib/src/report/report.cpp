@@ -176,9 +176,10 @@ std::string report_json(const Run& run, const Complex& input, const Mesh& mesh,
   }
   report["mesh"] = measures(mesh);
   Json& unresolved = report["unresolved"] = Json::array();
-  for (const Unresolved& simplex : run.unresolved(options.max_unresolved)) {
-    unresolved.push_back(unresolved_json(simplex));
-  }
+  const std::vector<Unresolved> remaining = run.unresolved(static_cast<std::size_t>(-1));
+  for (std::size_t i = 0; i < std::min(remaining.size(), options.max_unresolved); ++i)
+    unresolved.push_back(unresolved_json(remaining[i]));
+  report["unresolved_total"] = remaining.size();
   if (const auto removal = run.sliver_removal(~std::size_t{0})) {
     report["slivers"] = slivers_json(*removal, mesh, options.max_unresolved);
   }
