@@ -15,6 +15,9 @@
 #include "circumball/io.h"
 #include "circumball/report.h"
 #include "circumball/verify.h"
+#include "delaunay/tetrahedron_shape.h"
+#include "feature_size/feature_table.h"
+#include "feature_size/vectors.h"
 #include "support/acute.h"
 #include "support/solids3.h"
 
@@ -229,6 +232,95 @@ TEST(CollarInSpace, PiecesOfProtectedSegmentsDifferByAFactorOfTwoFromTheirNeighb
         EXPECT_LE(std::max(here, other->second), 4.0001 * std::min(here, other->second));
       }
     }
+  }
+}
+
+/// Lemma 6.5 III, IV. `between`: triangles at input vertices are left out, whose third side is an
+/// arc that step 3a may have to split yet.
+struct CollarBalls {
+  std::size_t triangles = 0, holding = 0, reaching = 0;
+
+  CollarBalls(const Complex& complex, const Moment& m, bool between) {
+    const FeatureTable<Point3> table(complex, {});
+    std::map<std::uint32_t, std::vector<std::uint32_t>> segments_at;  // protected; by mesh vertex
+    for (const ProtectingElement& p : m.elements) {
+      if (p.kind != ProtectingKind::kProtectedSubsegment) continue;
+      for (const std::uint32_t v : {p.a, p.b}) segments_at[v].push_back(p.carrier);
+    }
+    for (std::size_t i = 0; i + 4 < m.triangles.size(); i += 5) {
+      const std::uint32_t* v = &m.triangles[i];
+      const std::uint32_t face = v[4] / 4;
+      if (v[4] % 4 == 2) continue;  // outside of its face
+      if (std::any_of(v, v + 3, [&](auto u) { return !m.vertices.count(u); })) continue;  // ghosts
+      std::set<std::uint32_t> at;  // the protected segments of the face that it touches
+      bool tip = false;
+      for (std::size_t k = 0; k < 3; ++k) {
+        tip = tip || v[k] < complex.vertices.size();
+        const auto found = segments_at.find(v[k]);
+        if (found == segments_at.end()) continue;
+        for (const std::uint32_t s : found->second) {
+          const auto& in = table.face_segments.at(face);
+          // Between two protected pieces: not at the tip where an ordinary segment goes on.
+          if (std::count(found->second.begin(), found->second.end(), s) == 2 &&
+              std::binary_search(in.begin(), in.end(), s))
+            at.insert(s);
+        }
+      }
+      if (at.size() != 1 || (between && tip)) continue;
+      const Point3 &a = m.vertices.at(v[0]), &b = m.vertices.at(v[1]), &c = m.vertices.at(v[2]);
+      const TriangleBall ball = triangle_ball(a, b, c);  // about its corner
+      if (!std::isfinite(ball.radius2)) continue;
+      ++triangles;
+      bool holds = false, reaches = false;
+      for (const auto& [u, p] : m.vertices) {
+        if (u != v[0] && u != v[1] && u != v[2])
+          holds = holds || ball.power(p) < -1e-9 * ball.radius2;
+      }
+      const auto& own = complex.segments[*at.begin()];
+      for (const auto& item : table.features) {
+        const auto points = table.points_of(item);
+        const bool touches = std::any_of(points.begin(), points.end(), [&](std::uint32_t u) {
+          return u == own[0] || u == own[1];
+        });
+        if (touches || table.contains(item, *at.begin())) continue;
+        reaches = reaches || table.distance2(along(ball.corner, 1, ball.center), item) <
+                                 (1 - 1e-9) * ball.radius2;
+      }
+      holding += holds;
+      reaching += reaches;
+    }
+  }
+};
+
+TEST(CollarInSpace, Lemma65HoldsForTheBallsOfTrianglesBesideSegments) {
+  std::size_t triangles = 0;
+  for (const Complex& complex : some_acute_complexes()) {
+    const CollarBalls after_2c(complex, Moment(complex, collar(), "2c"), true);
+    EXPECT_EQ(after_2c.holding, 0u) << "III";
+    EXPECT_EQ(after_2c.reaching, 0u) << "IV";
+    const CollarBalls at_end(complex, Moment(complex, collar(), "3"), false);
+    EXPECT_EQ(at_end.reaching, 0u) << "IV, when it ends";
+    triangles += after_2c.triangles;
+  }
+  EXPECT_GT(triangles, 300u);
+}
+
+TEST(CollarInSpace, H1HoldsAfterStep2bAndTheCheckTellsTheBOfH2) {
+  for (const Complex& complex : some_acute_complexes()) {
+    const Moment m(complex, collar(), "2b");
+    ASSERT_TRUE(m.run);
+    const FeatureTable<Point3> table(m.run->complex(), {});
+    for (const auto& [v, p] : m.vertices) {
+      double least = HUGE_VAL;  // distance from the segments and input vertices
+      for (const auto& item : table.edges) least = std::min(least, table.distance2(p, item));
+      EXPECT_LT(least, 1e-24) << "H1: vertex " << v;
+    }
+    VerifyOptions options = promised_checks(*m.run);
+    options.checks = {"protection"};
+    const Check check = verify(m.run->mesh(), m.run->complex(), options).at(0);
+    const auto at = check.detail.find(", b, is ");
+    if (at == std::string::npos) continue;  // nothing is protected
+    EXPECT_GT(std::stod(check.detail.substr(at + 8)), 0.1) << "H2: " << check.detail;
   }
 }
 
