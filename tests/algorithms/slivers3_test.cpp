@@ -7,6 +7,7 @@
 #include "circumball/report.h"
 #include "circumball/trace.h"
 #include "circumball/verify.h"
+#include "support/acute.h"
 #include "support/solids3.h"
 
 namespace circumball {
@@ -179,6 +180,31 @@ TEST(Slivers, AtSharpAnglesLeaveTheCollarsAlone) {
   expect_kept_promises(*run);
   ASSERT_TRUE(run->sliver_removal());
   EXPECT_LT(dihedral_histogram(run->mesh(), 10).slivers, run->sliver_removal()->before.slivers);
+}
+
+Complex plates() {
+  testing::Builder3 b;
+  const std::uint32_t p = b.vertex({0, 0, -1}), q = b.vertex({0, 0, 1});
+  b.face({p, b.vertex({2, 0, -1}), b.vertex({1, 0, 0}), b.vertex({2, 0, 1}), q});
+  b.face({p, b.vertex({1.5, 0.8, -1}), b.vertex({1.5, 0.8, 1}), q});
+  return b.complex();
+}
+
+/// Where a point near the surface would be good, cells inside of it would be those that die.
+TEST(Slivers, OfIntestinesLeaveSpheresAndTubesAlone) {
+  std::size_t removed = 0;
+  for (const char* algorithm : {"intestine-structured", "intestine"}) {
+    for (const char* protect : {"acute", "all"}) {
+      Options options = removing(algorithm, "10");
+      options.domain = Domain::kBox;
+      options.parameters["protect"] = protect;
+      const auto run = finish(plates(), options);
+      ASSERT_TRUE(run);
+      expect_kept_promises(*run);
+      removed += run->steps().back().inserted;
+    }
+  }
+  EXPECT_GT(removed, 20u);
 }
 
 TEST(Slivers, AreKeptUnlessAskedFor) {

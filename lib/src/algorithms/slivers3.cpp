@@ -17,7 +17,7 @@ double degrees_of(double cosine) {
 }  // namespace
 
 Verdict Slivers3::unacceptable(const SolidView& view, const CellRef& c) const {
-  if (!view.in_domain(c)) return {};
+  if (!view.in_domain(c) || view.is_in_intestine(c)) return {};
   const double least = view.least_dihedral_cosine(c);
   if (!(least > cosine)) return {};
   return {Reason::kSliver, VertexId(), view.measure([&] { return degrees_of(least); })};
@@ -28,9 +28,13 @@ Verdict Slivers3::unacceptable(const SolidView& view, const CellRef& c) const {
 int Slivers3::gain(const SolidView& view, const Point3& p, int least) const {
   if (min_edge > 0 && view.insertion_radius(p) < min_edge) return least;
   int balance = 0;
+  bool inside = false;
   view.for_each_dying([&](const CellRef& dead) {
+    inside = inside || view.is_in_intestine(dead);
     balance += view.in_domain(dead) && view.least_dihedral_cosine(dead) > cosine;
   });
+  // Spheres and tubes, and what is in them, stay what they are.
+  if (inside) return least;
   view.for_each_in_star(
       [&](const CellRef& dead, const Point3& q, const Point3& r, const Point3& s) {
         if (!view.in_domain(dead)) return true;

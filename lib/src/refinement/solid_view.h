@@ -202,7 +202,9 @@ class SolidView : public View3 {
   /// Looks at a point on the surface of p: whether it encroaches upon subsegments, collar elements
   /// or ring arcs.
   Outlook3 look(const Point3& c, PatchId p);
-  bool is_in_intestine(const CellRef& c) const { return live_.is_in_intestine(c.slot); }
+  bool is_in_intestine(const CellRef& c) const {
+    return live_.has_intestine() && !dt_.is_ghost(c.slot) && live_.is_in_intestine(c.slot);
+  }
   /// Of what the point last looked at encroaches upon, leaves out what is inside of the intestine:
   /// subsegments of protected segments, triangles of collars. Where dimension 1 is left, only that
   /// stays. Returns whether something was left out.
