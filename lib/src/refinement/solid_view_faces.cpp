@@ -121,7 +121,13 @@ VertexId SolidView::encroacher_behind(const FaceTriangle& t, CellFacet f) const 
 Verdict SolidView::encroachment_of_missing(const FaceTriangle& t) const {
   const auto v = corners(t);
   const Point3 c = circumcenter(t);
-  if (std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z) && probe(c, v[0])) {
+  const bool finite = std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z);
+  if (finite && !probe(c, v[0])) {
+    const VertexId p = dt_.duplicate_of();  // a vertex is there: the deepest encroachment
+    if (p.valid() && !live_.lies_in_face(p, t.face) && ball(t).holds(dt_.point(p))) {
+      return {Reason::kEncroached, p, 0};
+    }
+  } else if (finite) {
     // The vertex nearest to the center is a neighbor that it would have.
     dt_.cavity_neighbors(&neighbors_);
     for (const VertexId p : neighbors_) {

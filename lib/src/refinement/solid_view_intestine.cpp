@@ -65,7 +65,11 @@ Verdict SolidView::encroachment(PatchId id) const {
   const Patch& patch = live_.intestine().patch(id);
   const Ball b = ball(id);
   const Point3 &o = b.ball.corner, &c = b.ball.center;
-  if (!probe({o.x + c.x, o.y + c.y, o.z + c.z}, patch.v[0])) return {};
+  if (!probe({o.x + c.x, o.y + c.y, o.z + c.z}, patch.v[0])) {
+    // A vertex is there already: the deepest encroachment.
+    const VertexId v = dt_.duplicate_of();
+    return v.valid() && encroached_by(id, v) ? Verdict{Reason::kEncroached, v, 0} : Verdict{};
+  }
   // The vertex nearest to the center is a neighbor that it would have.
   dt_.cavity_neighbors(&neighbors_);
   for (const VertexId v : neighbors_) {
