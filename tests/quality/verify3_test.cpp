@@ -243,6 +243,11 @@ TEST(VerifyInSpace, SeesWhatIsBroken) {
     EXPECT_EQ(fails(s), (Names{"input-faces"})) << s.said();
   }
   {
+    Subject3 s = whole;  // a facet that no cell has, of a face that need not be there
+    s.mesh.facets.push_back({0, 3, 5, 99});
+    EXPECT_EQ(fails(s), (Names{"input-faces"})) << s.said();
+  }
+  {
     Subject3 s = whole.foreign();  // a face that the mesh does not respect
     s.complex.faces.push_back({{{0, 1, 7, 6}}, {}, {}, {}});
     EXPECT_TRUE(fails(s).empty()) << s.said();  // the lattice has the diagonal plane

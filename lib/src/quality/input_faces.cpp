@@ -303,6 +303,16 @@ Check check_input_faces(const VerifyContext3& context) {
     check.detail = "input face " + std::to_string(f) + " is not a union of facets: " + problem.why;
     if (!problem.at.empty()) check.detail += " (vertices " + vertices_text(problem.at) + ")";
   }
+  // Also of faces outside of a closed domain, which need not be there.
+  for (const MeshFacet& f : context.mesh.facets) {
+    const std::size_t n = context.mesh.vertices.size();
+    const bool in_range = f.a < n && f.b < n && f.c < n;
+    if (in_range && context.find_facet({f.a, f.b, f.c}) != kNoIndex) continue;
+    if (missing++ > 0) continue;
+    check.worst = {f.a, f.b, f.c};
+    check.detail = "the facet " + vertices_text(check.worst) + " that is listed for input face " +
+                   std::to_string(f.face) + " is not a facet of a cell";
+  }
   check.ok = missing == 0;
   check.observed = static_cast<double>(missing);
   if (!check.ok) {
