@@ -262,6 +262,59 @@ TEST(IntestinesInSpace, ReplayToTheMeshInBothDirections) {
   }
 }
 
+/// Faces in and beside a closed domain: what is listed of them is of its cells, on either side of
+/// its boundary.
+TEST(MatchingRegion, ListsNoFacetsOutsideOfAClosedDomain) {
+  for (const char* algorithm : kBoth) {
+    const auto run = finish(example("dangling.json"), intestine(algorithm));
+    ASSERT_TRUE(run);
+    ASSERT_EQ(run->domain(), Domain::kClosed);
+    expect_kept_promises(*run, algorithm);
+    const Mesh mesh = run->mesh();
+    std::set<std::set<std::uint32_t>> facets;
+    for (std::size_t c = 0; c < mesh.cells.size(); c += 4) {
+      for (std::size_t skip = 0; skip < 4; ++skip) {
+        std::set<std::uint32_t> facet(mesh.cells.begin() + static_cast<std::ptrdiff_t>(c),
+                                      mesh.cells.begin() + static_cast<std::ptrdiff_t>(c) + 4);
+        facet.erase(mesh.cells[c + skip]);
+        facets.insert(facet);
+      }
+    }
+    for (const MeshFacet& f : mesh.facets) {
+      EXPECT_TRUE(facets.count({f.a, f.b, f.c})) << algorithm << ", face " << f.face;
+    }
+  }
+}
+
+/// Two tetrahedra at a common edge: of the four wedges about it two are inside.
+TEST(MatchingRegion, KnowsInsideFromOutsideAboutAnEdgeOfSeveralSolids) {
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    Random random(seed);
+    const Rotation turn(&random);
+    testing::Builder3 b;
+    std::vector<std::uint32_t> v;
+    for (const Point3& p : {Point3{0, 0, 0}, Point3{0, 0, 1}, Point3{1, 0, 0.5},
+                            Point3{1, 0.3, 0.4}, Point3{-1, 0, 0.5}, Point3{-1, 0.25, 0.4}}) {
+      v.push_back(b.vertex(turn(p)));
+    }
+    for (const std::array<std::size_t, 3>& f : {std::array<std::size_t, 3>{0, 1, 2},
+                                                {0, 1, 3},
+                                                {0, 2, 3},
+                                                {1, 2, 3},
+                                                {0, 1, 4},
+                                                {0, 1, 5},
+                                                {0, 4, 5},
+                                                {1, 4, 5}}) {
+      b.face({v[f[0]], v[f[1]], v[f[2]]});
+    }
+    Options options = intestine("intestine");
+    options.domain = Domain::kClosed;
+    const auto run = finish(b.complex(), options);
+    ASSERT_TRUE(run);
+    expect_kept_promises(*run, "two tetrahedra " + std::to_string(seed));
+  }
+}
+
 /// Conjecture 6.16, as far as it can be observed: lfs(q) <= C r_q for every vertex inserted. Small
 /// angles make C large: with the smallest one alpha, C sin(alpha) of vertices of step 3 is bounded
 /// here, and C sin^2(alpha) of those before, where angles between segments and faces, and between

@@ -27,6 +27,9 @@ struct VerifyOptions {
   /// Cells (sorted vertex numbers) that the run reported as rightly refused: not counted by the
   /// quality checks.
   std::vector<std::vector<std::uint32_t>> excused;
+  /// Those of them whose circumcenter lies outside of a hull, whose facets need not be faces: the
+  /// only exception that "collar" and "intestine" in space know.
+  std::vector<std::vector<std::uint32_t>> beyond_hull;
 };
 
 struct Check {

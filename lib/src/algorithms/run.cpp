@@ -34,8 +34,9 @@ std::vector<std::unique_ptr<Stage3>> plan_for(const Settings& settings, Space) {
 void follow_labels(Live2* live) { live->track_labels(); }
 void follow_labels(Live3*) {}
 
-/// The domain is settled, and traced, whatever stopped the run.
-void settle_domain(Live2* live, Recorder* recorder) {
+/// The domain is settled, and traced, whatever stopped the run. Returns whether the mesh is what
+/// the algorithm says that it is.
+bool settle_domain(Live2* live, Recorder* recorder) {
   // Floods leak where subsegments are missing: a run that ends so counts levels once more.
   if (!live->classified() || (live->domain() == Domain::kClosed && !live->conforms())) {
     live->classify();
@@ -45,17 +46,20 @@ void settle_domain(Live2* live, Recorder* recorder) {
     if (dt.alive(t)) live->in_domain(t);
   }
   recorder->relabeled(live->take_relabeled());
+  return true;
 }
-void settle_domain(Live3* live, Recorder3* recorder) {
+bool settle_domain(Live3* live, Recorder3* recorder) {
   // Estimates of feature sizes leave the whole convex hull as it is; so does a run that was stopped
   // before all faces were there, as nothing keeps inside and outside apart yet. Where faces have
   // gaps again as it was stopped later, labels stay as insertions inherited them.
-  if (!live->classified()) return;
+  if (!live->classified()) return true;
   recorder->relabeled(classify_if_conforming(live));
-  if (recorder->on() && live->has_intestine() && !live->intestine().structured()) {
-    const MatchingRegion region(*live);
-    if (region.matches) recorder->replaced(region);
-  }
+  if (!needs_matching_region(*live)) return true;
+  // Theorem 6.15 is an argument about surfaces that rounding may bend: where its tetrahedralization
+  // of tubes does not match, the mesh is the Delaunay one.
+  const MatchingRegion region(*live);
+  if (region.matches && recorder->on()) recorder->replaced(region);
+  return region.matches;
 }
 
 bool knows_domain(const Live2&) { return true; }
@@ -170,7 +174,9 @@ struct Run::ImplOf final : Impl {
   void end_step() override { recorder.step_ended(work.inserted, work.refused); }
   Reason reached_limit() const override { return work.limit; }
   Reason refusal_limit() const override { return work.refusal_limit; }
-  void settle() override { settle_domain(&live, &recorder); }
+  void settle() override {
+    if (!settle_domain(&live, &recorder)) work.refusal_limit = Reason::kLimitPrecision;
+  }
   void record_limit(Reason why) override { recorder.limit(why); }
   Mesh mesh() override { return export_mesh(&live, input_vertices); }
   bool domain_known() const override { return knows_domain(live); }

@@ -99,7 +99,7 @@ Mesh export_mesh(Live3* live, std::uint32_t input_vertices) {
                                                       : 0);
   };
   std::optional<MatchingRegion> region;
-  if (live->classified() && live->has_intestine() && !live->intestine().structured()) {
+  if (needs_matching_region(*live)) {
     region.emplace(*live);
     if (!region->matches) region.reset();
   }

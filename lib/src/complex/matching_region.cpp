@@ -36,7 +36,8 @@ MatchingRegion::MatchingRegion(const Live3& live) {
       const std::uint32_t label = dt.is_ghost(beyond)
                                       ? (live.domain() == Domain::kClosed ? kOutside : kInside)
                                       : dt.label(beyond);
-      add(live, intestine.ring(piece).about, v[0], v[1], v[2], label);
+      // Seen from the cell that it takes the place of.
+      add(live, {intestine.ring(piece).about, v[0], v[1], v[2]}, label);
       for (int k = 0; k < 3; ++k) label_of_chord[{piece, edge(v[k], v[(k + 1) % 3])}] = label;
     }
   });
@@ -52,7 +53,8 @@ MatchingRegion::MatchingRegion(const Live3& live) {
       const auto found = label_of_chord.find({r, edge(a, b)});
       matches = matches && found != label_of_chord.end();
       if (!matches) return;
-      add(live, p1, p2, a, b, found->second);
+      // Keys ascend counter-clockwise about the axis, which points from p1 to p2.
+      add(live, {p1, p2, b, a}, found->second);
       in_domain = in_domain || found->second != kOutside;
     }
     if (in_domain) inside_edges.push_back(edge(p1, p2));
@@ -70,15 +72,36 @@ MatchingRegion::MatchingRegion(const Live3& live) {
     if (piece != kNoIndex) facets.push_back({{intestine.ring(piece).about, u.a, u.b}, u.face});
   }
   std::sort(inside_edges.begin(), inside_edges.end());
+  leave_out_facets_outside();
 }
 
-void MatchingRegion::add(const Live3& live, VertexId a, VertexId b, VertexId c, VertexId d,
-                         std::uint32_t label) {
+/// Corners are given counter-clockwise: turned around, a cell would overlap others.
+void MatchingRegion::add(const Live3& live, const std::array<VertexId, 4>& v, std::uint32_t label) {
   const Delaunay3& dt = live.triangulation();
-  const Sign sign = orient3d(dt.point(a), dt.point(b), dt.point(c), dt.point(d));
-  if (sign == Sign::kZero) matches = false;
-  if (sign == Sign::kNegative) std::swap(c, d);
-  cells.push_back({{a, b, c, d}, label});
+  const Sign sign = orient3d(dt.point(v[0]), dt.point(v[1]), dt.point(v[2]), dt.point(v[3]));
+  if (sign != Sign::kPositive) matches = false;
+  cells.push_back({v, label});
+}
+
+/// Parts of a face may be outside of a closed domain: only facets of cells of the domain count.
+void MatchingRegion::leave_out_facets_outside() {
+  std::vector<std::array<VertexId, 3>> of_cells;
+  for (const Cell& c : cells) {
+    if (c.label == kOutside) continue;
+    for (std::size_t i = 0; i < 4; ++i) {
+      std::array<VertexId, 3> f{c.v[(i + 1) % 4], c.v[(i + 2) % 4], c.v[(i + 3) % 4]};
+      std::sort(f.begin(), f.end());
+      of_cells.push_back(f);
+    }
+  }
+  std::sort(of_cells.begin(), of_cells.end());
+  facets.erase(std::remove_if(facets.begin(), facets.end(),
+                              [&](const Facet& f) {
+                                std::array<VertexId, 3> v = f.v;
+                                std::sort(v.begin(), v.end());
+                                return !std::binary_search(of_cells.begin(), of_cells.end(), v);
+                              }),
+               facets.end());
 }
 
 }  // namespace circumball

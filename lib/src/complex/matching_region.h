@@ -31,12 +31,18 @@ struct MatchingRegion {
   bool matches = true;
   std::vector<bool> replaced;  ///< by slot
   std::vector<Cell> cells;
-  std::vector<Facet> facets;                          ///< those in faces
+  std::vector<Facet> facets;                          ///< those in faces, of cells of the domain
   std::vector<std::array<VertexId, 2>> inside_edges;  ///< subsegments of cells of the domain
 
  private:
-  void add(const Live3& live, VertexId a, VertexId b, VertexId c, VertexId d, std::uint32_t label);
+  void add(const Live3& live, const std::array<VertexId, 4>& v, std::uint32_t label);
+  void leave_out_facets_outside();
 };
+
+/// Whether a mesh of it has one: of a run of 6.3 that knows inside from outside.
+inline bool needs_matching_region(const Live3& live) {
+  return live.classified() && live.has_intestine() && !live.intestine().structured();
+}
 
 }  // namespace circumball
 

@@ -108,7 +108,7 @@ Check check_collar(const VerifyContext3& context) {
     add(ball_of(context.point(f.a), context.point(f.b), context.point(f.c)));
   }
   const BoxTree3 tree(std::move(boxes));
-  std::size_t allowed = 0, bad = 0;
+  std::size_t allowed = 0, bad = 0, beyond = 0;
   for (const auto& cell : context.cells) {
     const Point3 &a = context.point(cell[0]), &b = context.point(cell[1]),
                  &c = context.point(cell[2]), &d = context.point(cell[3]);
@@ -124,6 +124,8 @@ Check check_collar(const VerifyContext3& context) {
                });
     if (covered) {
       ++allowed;
+    } else if (context.beyond_hull(cell)) {
+      ++beyond;
     } else if (bad++ == 0) {
       check.worst = {cell[0], cell[1], cell[2], cell[3]};
     }
@@ -140,6 +142,8 @@ Check check_collar(const VerifyContext3& context) {
         " above tau with its circumcenter in no ball of a collar simplex, the first is " +
         vertices_text(check.worst);
   }
+  if (beyond > 0)
+    check.detail += "; " + count_text(beyond, "cell") + " with a circumcenter outside of the hull";
   return check;
 }
 

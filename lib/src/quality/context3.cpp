@@ -34,20 +34,23 @@ VerifyContext3::VerifyContext3(const Mesh& m, const Complex& c, const VerifyOpti
   measure();
   face_wanted.assign(complex.faces.size(), 1);
   if (closed()) leave_out_what_is_outside();
-  for (const auto& cell : options.excused) {
-    if (cell.size() != 4) continue;
-    Cell sorted = {cell[0], cell[1], cell[2], cell[3]};
-    std::sort(sorted.begin(), sorted.end());
-    excused_.push_back(sorted);
-  }
-  std::sort(excused_.begin(), excused_.end());
+  const auto read = [](const std::vector<std::vector<std::uint32_t>>& from, std::vector<Cell>* to) {
+    for (const auto& cell : from) {
+      if (cell.size() != 4) continue;
+      to->push_back({cell[0], cell[1], cell[2], cell[3]});
+      std::sort(to->back().begin(), to->back().end());
+    }
+    std::sort(to->begin(), to->end());
+  };
+  read(options.excused, &excused_);
+  read(options.beyond_hull, &beyond_hull_);
 }
 
-bool VerifyContext3::excused(const Cell& cell) const {
-  if (excused_.empty()) return false;
+bool VerifyContext3::is_in(const std::vector<Cell>& list, const Cell& cell) {
+  if (list.empty()) return false;
   Cell sorted = cell;
   std::sort(sorted.begin(), sorted.end());
-  return std::binary_search(excused_.begin(), excused_.end(), sorted);
+  return std::binary_search(list.begin(), list.end(), sorted);
 }
 
 void VerifyContext3::read_cells() {

@@ -76,7 +76,8 @@ class VerifyContext3 {
   /// In a closed domain not those outside: a vertex of no cell that lies in none, and what has one.
   std::vector<std::uint8_t> vertex_wanted, segment_wanted, face_wanted;
 
-  bool excused(const Cell& cell) const;
+  bool excused(const Cell& cell) const { return is_in(excused_, cell); }
+  bool beyond_hull(const Cell& cell) const { return is_in(beyond_hull_, cell); }
 
  private:
   void read_cells();
@@ -87,7 +88,8 @@ class VerifyContext3 {
   void measure();
   void leave_out_what_is_outside();
   std::vector<std::uint32_t> facet_first_, facet_;  // by their lowest corner, then the others
-  std::vector<Cell> excused_;
+  static bool is_in(const std::vector<Cell>& list, const Cell& cell);
+  std::vector<Cell> excused_, beyond_hull_;
 };
 
 // The checks, one a file; the templates are those of the plane.

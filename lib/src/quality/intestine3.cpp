@@ -27,7 +27,7 @@ Check check_intestine(const VerifyContext3& context) {
     if (m.radius_edge * (1 - 2 * m.error) <= tau) continue;
     if (inside[i]) {
       ++allowed;
-    } else if (context.excused(c)) {
+    } else if (context.beyond_hull(c)) {
       ++excused;
     } else if (bad++ == 0) {
       check.worst = {c[0], c[1], c[2], c[3]};
@@ -61,7 +61,7 @@ Check check_intestine(const VerifyContext3& context) {
                    count_text(facets, "facet") + " between, each on one sphere or tube";
   }
   if (excused > 0)
-    check.detail += "; " + count_text(excused, "cell") + " above it excused as refused by Safety";
+    check.detail += "; " + count_text(excused, "cell") + " above it with a circumcenter outside of the hull";
   return check;
 }
 

@@ -2,6 +2,8 @@
 #include <cstdlib>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "circumball/registry.h"
 #include "circumball/report.h"
@@ -64,12 +66,20 @@ VerifyOptions promised_checks(const Run& run) {
       result.size_factor = std::max(*result.size_factor, 5.0 / 6);
     }
   }
+  // Theorems 6.14 and 6.15 hold without exception, but for a hull, whose own facets are no faces.
+  const bool no_exception =
+      dimension == 3 && std::count(result.checks.begin(), result.checks.end(), "intestine") > 0;
+  const bool hull = run.domain() == Domain::kHull;
   for (const Unresolved& unresolved : run.unresolved(static_cast<std::size_t>(-1))) {
     if (unresolved.simplex.size() != static_cast<std::size_t>(dimension) + 1) continue;
     if (!rightly_refused(unresolved, run.status())) continue;
-    result.excused.push_back(unresolved.simplex);
-    std::sort(result.excused.back().begin(), result.excused.back().end());
+    const bool beyond_hull = hull && unresolved.reason == name(Reason::kOutsideDomain);
+    std::vector<std::uint32_t> simplex = unresolved.simplex;
+    std::sort(simplex.begin(), simplex.end());
+    if (beyond_hull) result.beyond_hull.push_back(simplex);
+    if (beyond_hull || !no_exception) result.excused.push_back(std::move(simplex));
   }
+  std::sort(result.beyond_hull.begin(), result.beyond_hull.end());
   std::sort(result.excused.begin(), result.excused.end());
   return result;
 }
