@@ -65,8 +65,9 @@ struct Check {
 /// tile the convex hull), "input-vertices", "input-segments", "input-faces" (every input face is a
 /// union of facets of the mesh on each of its sides, counted combinatorially), "volume" (volumes of
 /// the cells add up to what their boundary encloses, and for box to the box), "radius-edge",
-/// "protection" (collars: (H2) and (H3) for all protected subsegments, feature sizes by definition;
-/// and Lemma 6.9 I: no vertex in their balls, nor in those of the facets of faces at them),
+/// "protection" (collars and intestines: (H2) and (H3) for all protected subsegments, feature sizes
+/// by definition; and Lemma 6.9 I: no vertex in their balls, nor in those of the facets of faces at
+/// them, but for Algorithm 6.3, whose tubes are not Delaunay),
 /// "segment-lower" (Theorem 4.1: min(fs_1(s)/16, lfs(s)/4) <= |s| for every subsegment s) and
 /// "segment-upper" (Theorem 4.2: |s| <= min(sqrt 2 fs_1(s), 5/3 lfs(s))), feature sizes by
 /// definition.

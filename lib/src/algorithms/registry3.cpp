@@ -173,7 +173,7 @@ std::vector<AlgorithmInfo> algorithms_in_space() {
       "(Theorem "
       "6.14). No complex was met where it does not end; that it always does is Conjecture 6.16.";
   structured.checks = {"topology",    "delaunay", "input-vertices", "input-segments",
-                       "input-faces", "volume",   "intestine"};
+                       "input-faces", "volume",   "intestine",      "protection"};
 
   AlgorithmInfo intestine = structured;
   intestine.id = "intestine";

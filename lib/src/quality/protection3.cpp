@@ -26,6 +26,7 @@ class ProtectionCheck {
       : context_(context), features_(protected_features(context, RightAngles::kOpen)) {
     check_.name = "protection";
     check_.ok = true;
+    if (promises("intestine")) leave_out_box();
   }
 
   Check run() {
@@ -54,6 +55,21 @@ class ProtectionCheck {
     if (std::isinf(least_)) return "";
     return ", the smallest of |s| and min(fs_1(s), lfs(s)), b, is " + value_text(least_);
   }
+  bool promises(const char* check) const {
+    const auto& checks = context_.options.checks;
+    return std::find(checks.begin(), checks.end(), check) != checks.end();
+  }
+  /// Intestines never protect the box, whose vertices are the last of the complex.
+  void leave_out_box() {
+    const std::size_t n = context_.complex.vertices.size();
+    const std::size_t first = n - std::min<std::size_t>(n, context_.mesh.box_vertices);
+    for (std::size_t v = first; v < features_.vertices.size(); ++v) features_.vertices[v] = false;
+    for (std::size_t s = 0; s < features_.segments.size(); ++s) {
+      const auto& ends = context_.complex.segments[s];
+      if (ends[0] >= first && ends[1] >= first) features_.segments[s] = false;
+    }
+  }
+
   double factor() const { return context_.options.size_factor.value_or(1); }
   void fail(const std::string& detail, std::vector<std::uint32_t> worst) {
     if (!std::exchange(check_.ok, false)) return;
@@ -165,6 +181,8 @@ class ProtectionCheck {
       const Point3 &a = context_.point(p.a), d = context_.point(p.b) - a;
       look(along(a, 0.5, d), 0.25 * dot(d, d), {p.a, p.b}, kNoIndex);
     }
+    // In tubes of Algorithm 6.3 facets of faces are not Delaunay (Theorem 6.15).
+    if (promises("delaunay-outside")) return;
     for (const MeshFacet& f : mesh.facets) {
       const std::vector<std::uint32_t> corners{f.a, f.b, f.c};
       bool usable = true, beside = false;
@@ -217,7 +235,7 @@ class ProtectionCheck {
   }
 
   const VerifyContext3& context_;
-  const ProtectedFeatures features_;
+  ProtectedFeatures features_;
   Check check_;
   std::vector<Piece> pieces_;
   std::vector<bool> at_protected_, on_protected_;  // by mesh vertex
