@@ -397,6 +397,24 @@ TEST(CollarInSpace, IsTheSameWithATraceThatReplaysToItsMesh) {
   for (const Event& e : trace.events) EXPECT_FALSE(describe(e, trace.steps).empty());
 }
 
+/// Two tetrahedra share an edge; their hull has vertices of segments on it, rounded inwards, and
+/// places that are no input face.
+TEST(CollarInSpace, CoversFacesOnAHullThatIsNoUnionOfFaces) {
+  const Complex complex = read(R"({"circumball": 1, "dimension": 3, "segments": [], "vertices":
+      [[0, 0, 0], [0, 0, 1], [1, 0, 0.5], [1, 0.3, 0.4], [-1, 0, 0.5], [-1, 0.25, 0.4]], "faces": [
+      {"loops": [[0, 1, 2]]}, {"loops": [[0, 1, 3]]}, {"loops": [[0, 2, 3]]}, {"loops": [[1, 2, 3]]},
+      {"loops": [[0, 1, 4]]}, {"loops": [[0, 1, 5]]}, {"loops": [[0, 4, 5]]}, {"loops": [[1, 4, 5]]}
+      ]})",
+                               "edge.json")
+                              .complex;
+  Options options = collar();
+  options.domain = Domain::kHull;
+  const auto run = finish(complex, options);
+  ASSERT_TRUE(run);
+  for (const Check& check : verify(run->mesh(), run->complex(), promised_checks(*run)))
+    EXPECT_TRUE(check.ok) << check.name << ": " << check.detail;
+}
+
 TEST(CollarInSpace, StopsAtALimitWithWhatItHas) {
   Options options = collar();
   options.parameters["protect"] = "all";

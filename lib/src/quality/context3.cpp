@@ -46,6 +46,55 @@ VerifyContext3::VerifyContext3(const Mesh& m, const Complex& c, const VerifyOpti
   read(options.beyond_hull, &beyond_hull_);
 }
 
+bool VerifyContext3::lies_in_face(std::uint32_t v, std::uint32_t face) const {
+  if (v >= mesh.vertex_features.size()) return false;
+  const Feature& f = mesh.vertex_features[v];
+  if (f.kind == FeatureKind::kFace) return f.index == face;
+  if (face >= complex.faces.size()) return false;
+  const Face& in = complex.faces[face];
+  const auto has = [](const std::vector<std::uint32_t>& list, std::uint32_t i) {
+    return std::find(list.begin(), list.end(), i) != list.end();
+  };
+  if (f.kind == FeatureKind::kVertex) {
+    for (const std::uint32_t s : in.segments) {
+      if (s >= complex.segments.size()) continue;
+      if (has({complex.segments[s].begin(), complex.segments[s].end()}, f.index)) return true;
+    }
+    return has(in.vertices, f.index) ||
+           std::any_of(in.loops.begin(), in.loops.end(),
+                       [&](const auto& loop) { return has(loop, f.index); });
+  }
+  if (f.kind != FeatureKind::kSegment || f.index >= complex.segments.size()) return false;
+  if (has(in.segments, f.index)) return true;
+  const auto& ends = complex.segments[f.index];
+  for (const auto& loop : in.loops) {
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      const std::uint32_t p = loop[k], q = loop[(k + 1) % loop.size()];
+      if ((p == ends[0] && q == ends[1]) || (p == ends[1] && q == ends[0])) return true;
+    }
+  }
+  return false;
+}
+
+bool VerifyContext3::is_layer(const Cell& cell) const {
+  for (std::uint32_t f = 0; f < complex.faces.size(); ++f) {
+    if (std::all_of(cell.begin(), cell.end(), [&](auto v) { return lies_in_face(v, f); }))
+      return true;
+  }
+  return false;
+}
+
+bool VerifyContext3::is_between_layers(const MeshFacet& facet) const {
+  Facet sorted{facet.a, facet.b, facet.c};
+  std::sort(sorted.begin(), sorted.end());
+  const std::uint32_t some = find_facet(sorted);
+  if (some == kNoIndex) return false;
+  const auto ends = [&](std::uint32_t f) {
+    return f == kNoIndex || lies_in_face(apex(f), facet.face);
+  };
+  return ends(some) && ends(twin[some]);
+}
+
 bool VerifyContext3::is_in(const std::vector<Cell>& list, const Cell& cell) {
   if (list.empty()) return false;
   Cell sorted = cell;

@@ -76,8 +76,18 @@ class VerifyContext3 {
   /// In a closed domain not those outside: a vertex of no cell that lies in none, and what has one.
   std::vector<std::uint8_t> vertex_wanted, segment_wanted, face_wanted;
 
-  bool excused(const Cell& cell) const { return is_in(excused_, cell); }
+  /// Whether Safety refused it; or a convex hull has it as a layer of a face, which no point
+  /// splits.
+  bool excused(const Cell& cell) const {
+    return is_in(excused_, cell) || (options.domain == "hull" && is_layer(cell));
+  }
   bool beyond_hull(const Cell& cell) const { return is_in(beyond_hull_, cell); }
+  /// Whether a vertex belongs to a face, by its label.
+  bool lies_in_face(std::uint32_t v, std::uint32_t face) const;
+  /// Whether all four vertices belong to one face: what rounding makes of it.
+  bool is_layer(const Cell& cell) const;
+  /// Whether what is on both sides of a facet in a face is a layer of the face, or nothing.
+  bool is_between_layers(const MeshFacet& facet) const;
 
  private:
   void read_cells();

@@ -91,9 +91,10 @@ class FaceFinder {
     if (facets.empty()) return {"no facet lies in it", {}};
     std::vector<Edge> sides[2];
     double areas[2] = {0, 0};
+    bool ends[2] = {true, true};  // on this side is nothing but layers of the face
     for (const Facet& f : facets) {
       bool in_tiling[2] = {true, true};
-      problem = place(face, f, in_tiling);
+      problem = place(face, f, in_tiling, ends);
       if (!problem.why.empty()) return problem;
       const double a = area_of(context_.point(f[0]), context_.point(f[1]), context_.point(f[2]));
       for (int side = 0; side < 2; ++side) {
@@ -104,6 +105,8 @@ class FaceFinder {
       }
     }
     for (int side = 0; side < 2; ++side) {
+      // On the convex hull, layers of two faces may meet along what rounding made of a segment.
+      if (ends[side] && !ends[1 - side]) continue;
       const std::vector<Edge> odd = odd_ones(std::move(sides[side]));
       std::vector<Edge> wrong;
       std::set_symmetric_difference(odd.begin(), odd.end(), boundary.begin(), boundary.end(),
@@ -250,7 +253,7 @@ class FaceFinder {
   }
 
   /// On which sides of the face a facet counts: where its cell is not flat, or there is none.
-  FaceProblem place(std::uint32_t face, const Facet& facet, bool* in_tiling) {
+  FaceProblem place(std::uint32_t face, const Facet& facet, bool* in_tiling, bool* ends) {
     const std::vector<std::uint32_t> worst(facet.begin(), facet.end());
     for (const std::uint32_t v : facet) {
       if (v >= context_.mesh.vertices.size())
@@ -266,7 +269,8 @@ class FaceFinder {
       const Facet c = context_.corners(f);
       const Point3 out = cross(context_.point(c[1]) - context_.point(c[0]),
                                context_.point(c[2]) - context_.point(c[0]));
-      if (belongs(face, context_.apex(f))) in_tiling[dot(out, normal_) > 0 ? 0 : 1] = false;
+      const int side = dot(out, normal_) > 0 ? 0 : 1;
+      (belongs(face, context_.apex(f)) ? in_tiling : ends)[side] = false;
     }
     return {};
   }

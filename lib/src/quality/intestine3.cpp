@@ -61,7 +61,8 @@ Check check_intestine(const VerifyContext3& context) {
                    count_text(facets, "facet") + " between, each on one sphere or tube";
   }
   if (excused > 0)
-    check.detail += "; " + count_text(excused, "cell") + " above it with a circumcenter outside of the hull";
+    check.detail +=
+        "; " + count_text(excused, "cell") + " above it with a circumcenter outside of the hull";
   return check;
 }
 

@@ -170,7 +170,7 @@ class ProtectionCheck {
                    const Point3 d = context_.point(v) - center;
                    if (dot(d, d) >= most) return true;
                    if (std::find(corners.begin(), corners.end(), v) != corners.end()) return true;
-                   if (face != kNoIndex && lies_in_face(v, face)) return true;
+                   if (face != kNoIndex && context_.lies_in_face(v, face)) return true;
                    fail("the ball of " + vertices_text(corners) + " holds vertex " +
                             std::to_string(v) + " (thesis, Lemma 6.9 I)",
                         corners);
@@ -190,7 +190,7 @@ class ProtectionCheck {
         usable = usable && v < context_.used.size() && context_.used[v];
         beside = beside || (usable && on_protected_[v]);
       }
-      if (!usable || !beside) continue;
+      if (!usable || !beside || context_.is_between_layers(f)) continue;
       ++facets_;
       const Point3 &a = context_.point(f.a), u = context_.point(f.b) - a,
                    v = context_.point(f.c) - a, n = cross(u, v);
@@ -201,37 +201,6 @@ class ProtectionCheck {
                      (uu * vn.z + vv * nu.z) * t};
       look(along(a, 1, o), dot(o, o), corners, f.face);
     }
-  }
-
-  bool lies_in_face(std::uint32_t v, std::uint32_t face) const {
-    if (v >= context_.mesh.vertex_features.size()) return false;
-    const Feature& f = context_.mesh.vertex_features[v];
-    if (f.kind == FeatureKind::kFace) return f.index == face;
-    if (face >= context_.complex.faces.size()) return false;
-    const Face& in = context_.complex.faces[face];
-    const auto has = [](const std::vector<std::uint32_t>& list, std::uint32_t i) {
-      return std::find(list.begin(), list.end(), i) != list.end();
-    };
-    if (f.kind == FeatureKind::kVertex) {
-      for (const std::uint32_t s : in.segments) {
-        if (has({context_.complex.segments[s].begin(), context_.complex.segments[s].end()},
-                f.index))
-          return true;
-      }
-      return has(in.vertices, f.index) ||
-             std::any_of(in.loops.begin(), in.loops.end(),
-                         [&](const auto& loop) { return has(loop, f.index); });
-    }
-    if (f.kind != FeatureKind::kSegment) return false;
-    if (has(in.segments, f.index)) return true;
-    const auto& ends = context_.complex.segments[f.index];
-    for (const auto& loop : in.loops) {
-      for (std::size_t k = 0; k < loop.size(); ++k) {
-        const std::uint32_t p = loop[k], q = loop[(k + 1) % loop.size()];
-        if ((p == ends[0] && q == ends[1]) || (p == ends[1] && q == ends[0])) return true;
-      }
-    }
-    return false;
   }
 
   const VerifyContext3& context_;

@@ -56,6 +56,7 @@ Check check_radius_edge(const Context& context) {
       " (relative rounding error of the measurements below " + value_text(2 * error) + ", granted)";
   if (excused > 0)
     check.detail += "; " + count_text(excused, "cell") + " above it excused as refused by Safety";
+  if (excused > 0 && context.options.domain == "hull") check.detail += " or layers of faces";
   return check;
 }
 
