@@ -4,7 +4,6 @@ import createCircumball, { type CircumballModule } from 'circumball';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { complexToText, inputFromJson } from '../../web/src/core/complex-json.ts';
 import { Kind, NONE } from '../../web/src/replay/event.ts';
-import { point3, volume } from '../../web/src/replay/geometry3.ts';
 import { ascending } from '../../web/src/replay/lives.ts';
 import { momentAt } from '../../web/src/replay/moment.ts';
 import { Replay } from '../../web/src/replay/replay.ts';
@@ -52,18 +51,7 @@ describe.each(spatial.map((e) => [e.id, e] as const))('%s', (_, example) => {
       .filter((n) => state.cellLabel[n] !== Label.outside)
       .map((n) => cellName(state.cells, n));
     const cells = Array.from({ length: mesh.cells.length / 4 }, (_, n) => cellName(mesh.cells, n));
-    if (example.options.algorithm === 'intestine') {
-      // Tubes are tetrahedralized anew at the end (Theorem 6.15): the same volume, in other cells.
-      const [ofReplay, ofCore] = [new Set(live), new Set(cells)];
-      const size = (names: readonly string[]) =>
-        names.reduce((sum, n) => {
-          const [a, b, c, d] = n.split(',').map((v) => point3(state.coordinates, Number(v)));
-          return sum + Math.abs(volume(a!, b!, c!, d!));
-        }, 0);
-      const replaced = size(live.filter((n) => !ofCore.has(n)));
-      expect(size(cells.filter((n) => !ofReplay.has(n))) / replaced).toBeCloseTo(1, 9);
-      expect(replaced).toBeLessThan(0.5 * size(live));
-    } else expect(live.sort()).toEqual(cells.sort());
+    expect(live.sort()).toEqual(cells.sort());
     for (let i = 0; i < 3 * trace.vertexCount; i++)
       expect(Object.is(trace.coordinates.data[i], mesh.vertices[i])).toBe(true);
 
@@ -73,20 +61,11 @@ describe.each(spatial.map((e) => [e.id, e] as const))('%s', (_, example) => {
     );
     const known = new Set(pieces);
     expect(known.size).toBe(pieces.length);
-    // Edges of no input segment are collar segments and arcs.
-    const { protection } = state;
-    const collars = new Set(
-      Array.from(protection?.live.subarray(0, protection.liveCount) ?? [], (n) =>
-        name(protection!.elements[4 * n]!, protection!.elements[4 * n + 1]!),
-      ),
-    );
-    for (let i = 0; i < mesh.edges.length; i += 3) {
-      const edge = name(mesh.edges[i]!, mesh.edges[i + 1]!);
-      expect(known.has(edge) || (mesh.edges[i + 2] === NONE && collars.has(edge))).toBe(true);
-    }
+    for (let i = 0; i < mesh.edges.length; i += 3)
+      expect(known.has(name(mesh.edges[i]!, mesh.edges[i + 1]!))).toBe(true);
   });
 
-  it('says what happens at every kind of moment, and seeks anywhere in less than 50 ms', () => {
+  it('says what happens at every kind of moment', () => {
     const { trace } = run(example.files[0]!, { ...example.options, maxVertices: 1500 });
     const replay = new Replay(trace);
     const seen = new Set<string>();
