@@ -27,6 +27,17 @@ struct CollarElements3 : Conform3 {
     const bool arc = view.subsegment(s).is_arc();
     return insert(view.midpoint(s), arc ? Reason::kArcMidpoint : Reason::kMidpoint);
   }
+
+  /// Safety: nothing yields to collar simplices. A point that encroaches upon nothing else is
+  /// refused.
+  static Proposal3 spare_protected(SolidView& view, const Proposal3& proposal) {
+    if (proposal.kind != ProposalKind::kYield) return proposal;
+    const bool is_protected = view.leave_out_protected();
+    bool any = false;
+    view.for_each_encroached([&](const auto&) { any = true; });
+    if (!any && is_protected) return refuse(proposal.at, Reason::kProtected);
+    return proposal;
+  }
 };
 
 /// The part about collars, segments and faces: after it, the tetrahedralization conforms. Where
@@ -60,13 +71,7 @@ struct CollarFaces3 : CollarElements3 {
       view.propose_collar_elements(t);
       return yield3(view.circumcenter(t));
     }
-    const Proposal3 proposal = Conform3::action(view, t);
-    if (proposal.kind != ProposalKind::kYield) return proposal;
-    const bool is_protected = view.leave_out_protected();
-    bool any = false;
-    view.for_each_encroached([&](const auto&) { any = true; });
-    if (!any && is_protected) return refuse(proposal.at, Reason::kProtected);
-    return proposal;
+    return spare_protected(view, Conform3::action(view, t));
   }
 };
 
@@ -90,13 +95,7 @@ struct Collar3 : CollarFaces3 {
   /// triangles beyond the collars that it encroaches; where it encroaches upon nothing but collar
   /// simplices, it is refused.
   Proposal3 action(SolidView& view, const CellRef& t) const {
-    const Proposal3 proposal = quality.action(view, t);
-    if (proposal.kind != ProposalKind::kYield) return proposal;
-    const bool is_protected = view.leave_out_protected();
-    bool any = false;
-    view.for_each_encroached([&](const auto&) { any = true; });
-    if (!any && is_protected) return refuse(proposal.at, Reason::kProtected);
-    return proposal;
+    return spare_protected(view, quality.action(view, t));
   }
 };
 

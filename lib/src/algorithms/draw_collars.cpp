@@ -56,22 +56,6 @@ class DrawCollars final : public Stage3 {
     VertexId vertex;
   };
 
-  /// The vertices on an input segment, in order.
-  static std::vector<VertexId> chain(const Live3& live, std::uint32_t segment) {
-    std::vector<VertexId> list{VertexId(live.complex().segments[segment][0])};
-    SubsegmentId from;
-    for (;;) {
-      SubsegmentId next;
-      for (const SubsegmentId s : live.subsegments_at(list.back())) {
-        if (live.subsegment(s).segment.value == segment && s != from) next = s;
-      }
-      if (!next.valid()) return list;
-      const Subsegment& u = live.subsegment(next);
-      list.push_back(u.a == list.back() ? u.b : u.a);
-      from = next;
-    }
-  }
-
   void draw_in(Workspace3& w, std::uint32_t f) {
     Live3& live = w.live;
     const FacePlane& plane = live.face(f).plane();
@@ -79,7 +63,7 @@ class DrawCollars final : public Stage3 {
     for (const std::uint32_t k : segments_in_[f]) {
       const auto& ends = live.complex().segments[k];
       if (live.is_protected(SegmentId(k))) {
-        const std::vector<VertexId> v = chain(live, k);
+        const std::vector<VertexId> v = vertices_on_segment(live, k);
         if (v.size() < 4) continue;
         std::vector<Point2> at;
         for (const VertexId q : v) at.push_back(plane.to_plane(live.triangulation().point(q)));

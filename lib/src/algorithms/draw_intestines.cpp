@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "algorithms/protect3.h"
 #include "predicates/elementary.h"
 #include "refinement/split_at3.h"
 
@@ -84,22 +85,6 @@ class DrawIntestines final : public Stage3 {
     return w.live.triangulation().point(v);
   }
 
-  /// The vertices on an input segment, in order.
-  static std::vector<VertexId> chain(const Live3& live, std::uint32_t segment) {
-    std::vector<VertexId> list{VertexId(live.complex().segments[segment][0])};
-    SubsegmentId from;
-    for (;;) {
-      SubsegmentId next;
-      for (const SubsegmentId s : live.subsegments_at(list.back())) {
-        if (live.subsegment(s).segment.value == segment && s != from) next = s;
-      }
-      if (!next.valid()) return list;
-      const Subsegment& u = live.subsegment(next);
-      list.push_back(u.a == list.back() ? u.b : u.a);
-      from = next;
-    }
-  }
-
   /// Its radius is the length of the end segments, which are equal.
   void begin_sphere(Workspace3& w, std::uint32_t v) {
     Live3& live = w.live;
@@ -159,7 +144,7 @@ class DrawIntestines final : public Stage3 {
     Live3& live = w.live;
     Intestines& intestine = live.intestine();
     if (!live.is_protected(SegmentId(segment))) return;
-    const std::vector<VertexId> v = chain(live, segment);
+    const std::vector<VertexId> v = vertices_on_segment(live, segment);
     const std::size_t last = v.size() - 1;
     // Fewer than three pieces, or an end without a sphere: a limit was reached.
     if (last < 3 || intestine.radius(v[0].value) == 0 || intestine.radius(v[last].value) == 0) {

@@ -230,4 +230,19 @@ std::unique_ptr<Stage3> prepare_segments(SegmentSizes sizes) {
 }
 std::unique_ptr<Stage3> label_collars() { return std::make_unique<LabelCollars>(); }
 
+std::vector<VertexId> vertices_on_segment(const Live3& live, std::uint32_t segment) {
+  std::vector<VertexId> list{VertexId(live.complex().segments[segment][0])};
+  SubsegmentId from;
+  for (;;) {
+    SubsegmentId next;
+    for (const SubsegmentId s : live.subsegments_at(list.back())) {
+      if (live.subsegment(s).segment.value == segment && s != from) next = s;
+    }
+    if (!next.valid()) return list;
+    const Subsegment& u = live.subsegment(next);
+    list.push_back(u.a == list.back() ? u.b : u.a);
+    from = next;
+  }
+}
+
 }  // namespace circumball

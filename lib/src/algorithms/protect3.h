@@ -1,7 +1,9 @@
 #ifndef CIRCUMBALL_ALGORITHMS_PROTECT3_H_
 #define CIRCUMBALL_ALGORITHMS_PROTECT3_H_
 
+#include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "refinement/stage3.h"
 
@@ -33,6 +35,9 @@ std::unique_ptr<Stage3> draw_collars(double height);
 
 /// After all collar elements are edges: which triangles of faces belong to the collars.
 std::unique_ptr<Stage3> label_collars();
+
+/// The vertices on an input segment, from its first end to its second.
+std::vector<VertexId> vertices_on_segment(const Live3& live, std::uint32_t segment);
 
 }  // namespace circumball
 
