@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <memory>
 #include <set>
@@ -19,11 +17,13 @@
 #include "feature_size/feature_table.h"
 #include "feature_size/vectors.h"
 #include "support/acute.h"
+#include "support/examples.h"
 #include "support/solids3.h"
 
 namespace circumball {
 namespace {
 
+using testing::example;
 using testing::finish;
 using testing::Random;
 using testing::random_complex3;
@@ -33,12 +33,6 @@ Options collar() {
   Options options = testing::options_of("collar");
   options.limits.max_vertices = 100000;
   return options;
-}
-
-Complex example(const std::string& name) {
-  std::ifstream file(std::string(CIRCUMBALL_SOURCE_DIR) + "/examples/" + name, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  return read(bytes, name).complex;
 }
 
 /// It ended, it conforms, and Theorem 6.11 holds of what is left above tau.

@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <memory>
 #include <set>
@@ -18,11 +16,13 @@
 #include "circumball/verify.h"
 #include "predicates/elementary.h"
 #include "support/acute.h"
+#include "support/examples.h"
 #include "support/solids3.h"
 
 namespace circumball {
 namespace {
 
+using testing::example;
 using testing::finish;
 using testing::Random;
 using testing::random_complex3;
@@ -34,12 +34,6 @@ Options intestine(const std::string& algorithm) {
   Options options = testing::options_of(algorithm);
   options.limits.max_vertices = 60000;
   return options;
-}
-
-Complex example(const std::string& name) {
-  std::ifstream file(std::string(CIRCUMBALL_SOURCE_DIR) + "/examples/" + name, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  return read(bytes, name).complex;
 }
 
 /// It ended, nothing was refused (so that no circumcenter lay in the ball of a protected simplex,

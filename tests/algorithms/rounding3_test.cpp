@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
@@ -14,6 +12,7 @@
 #include "circumball/report.h"
 #include "circumball/verify.h"
 #include "support/acute.h"
+#include "support/examples.h"
 #include "support/solids3.h"
 
 /// Vertices of sloping faces, and whatever is far from the origin, are rounded. Nothing of what is
@@ -24,15 +23,10 @@ namespace {
 using testing::Random;
 using testing::Rotation;
 
-std::string bytes_of(const std::string& name) {
-  std::ifstream file(std::string(CIRCUMBALL_SOURCE_DIR) + "/examples/" + name, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
 /// The complexes of space in the gallery, each once.
 std::vector<std::string> examples() {
   std::set<std::string> files;
-  for (const auto& entry : nlohmann::json::parse(bytes_of("index.json"))) {
+  for (const auto& entry : nlohmann::json::parse(testing::bytes_of_example("index.json"))) {
     if (entry.value("dimension", 2) == 3) files.insert(entry["file"].get<std::string>());
   }
   return {files.begin(), files.end()};
@@ -118,7 +112,7 @@ TEST(RoundingInSpace, EveryExampleIsMeshedWhereverItStands) {
   const bool all = count == places.size();
   std::size_t number = 0;
   for (const std::string& file : examples()) {
-    const Complex example = read(bytes_of(file), file).complex;
+    const Complex example = read(testing::bytes_of_example(file), file).complex;
     if (!all && example.faces.size() > 20) continue;  // those that take long
     if (!all && (file == "near-plates.json" || file == "wedge.json" || file == "fan-of-faces.json"))
       continue;

@@ -1,21 +1,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
 #include "circumball/io.h"
 #include "support/complexes.h"
+#include "support/examples.h"
 
 namespace circumball {
 namespace {
 
-Complex example(const std::string& name) {
-  std::ifstream file(CIRCUMBALL_SOURCE_DIR "/examples/" + name);
-  std::stringstream bytes;
-  bytes << file.rdbuf();
-  return read(bytes.str(), name).complex;
-}
+using testing::example;
 
 std::vector<std::uint64_t> counts(const std::string& name, const std::string& step2a = "fourths") {
   Options options = testing::options_of("feature-size");

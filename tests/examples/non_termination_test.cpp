@@ -2,8 +2,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -13,17 +11,12 @@
 #include "delaunay/constructions.h"
 #include "predicates/elementary.h"
 #include "support/complexes.h"
+#include "support/examples.h"
 
 namespace circumball {
 namespace {
 
-Complex example(const std::string& name) {
-  std::ifstream file(std::string(CIRCUMBALL_SOURCE_DIR) + "/examples/" + name, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  const ReadResult result = read(bytes, name);
-  EXPECT_TRUE(result.ok()) << name;
-  return result.complex;
-}
+using testing::example;
 
 /// What was split (an input segment, or kNoIndex: a triangle), and the insertion radius.
 struct Insertion {
